@@ -1,0 +1,1 @@
+//! Exact signs and correctly rounded values of polynomials in square roots.

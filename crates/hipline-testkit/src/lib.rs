@@ -1,0 +1,1 @@
+//! Generators, the reference engine and the laws that hipline is tested by.

@@ -1,0 +1,18 @@
+//! Checked figures: the only way into the engines.
+//!
+//! A [`Figure`] is a planar straight-line graph whose vertices are distinct and
+//! whose edges meet in vertices only. [`FigureBuilder`] makes one from polygons,
+//! polylines and graphs; it finds every [`Flaw`] and names it in the caller's own
+//! numbering. Whatever takes a `&Figure` can trust it.
+
+mod builder;
+mod figure;
+mod flaw;
+mod mesh;
+mod polygon;
+
+pub use builder::FigureBuilder;
+pub use figure::{Edge, Figure, Source};
+pub use flaw::{Flaw, InvalidFigure, Place};
+pub(crate) use mesh::{Mesh, MeshEdge};
+pub use polygon::Polygon;

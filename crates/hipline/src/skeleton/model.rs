@@ -1,0 +1,204 @@
+//! Nodes, arcs, faces: plain data with typed ids.
+
+use super::Stats;
+use crate::topology::{ArcId, EdgeId, FaceId, NodeId, VertexId};
+
+/// Which part of the plane to cover.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+pub enum Region {
+    /// The interior for figures with a polygon, the whole plane for others.
+    #[default]
+    Auto,
+    /// The inside of the polygons.
+    Interior,
+    /// The plane without the inside of the polygons.
+    Exterior,
+    /// The whole plane.
+    Both,
+}
+
+/// How to compute.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[non_exhaustive]
+pub struct Options {
+    /// Which part of the plane.
+    pub region: Region,
+}
+
+/// What a node is.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum NodeKind {
+    /// A vertex of the input; its time is 0.
+    Input(VertexId),
+    /// A place where wavefronts meet, or where a ghost arc ends.
+    Event,
+    /// The far end of an unbounded arc. `direction` is the velocity of the wavefront
+    /// vertex there (input units per unit of time), correctly rounded; the node's place is
+    /// that of the arc's other end, and its time is infinite.
+    Infinite {
+        /// The velocity with which the arc is traced.
+        direction: [f64; 2],
+    },
+}
+
+/// A node. Coordinates and time are correctly rounded: the f64 nearest to the exact value.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Node {
+    /// Abscissa, in input units.
+    pub x: f64,
+    /// Ordinate, in input units.
+    pub y: f64,
+    /// The moment when the wavefront arrives: distance moved by an edge of unit speed.
+    pub time: f64,
+    /// What it is.
+    pub kind: NodeKind,
+}
+
+/// What an arc is, as seen from the unswept side, on the roof.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum ArcKind {
+    /// Traced by a convex wavefront vertex, or where parallel edges meet face to face.
+    Ridge,
+    /// Traced by a reflex wavefront vertex.
+    Valley,
+    /// Between two faces of one plane; perpendicular to their edges.
+    Ghost,
+}
+
+/// An arc: a straight segment between two nodes, with a face on either side.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Arc {
+    /// Its ends, in the order in which the wavefront reaches them (of an arc of one
+    /// height, the order is arbitrary but reproducible).
+    pub nodes: [NodeId; 2],
+    /// The faces on its left and on its right, walking from the first node to the second.
+    pub faces: [FaceId; 2],
+    /// What it is.
+    pub kind: ArcKind,
+}
+
+/// Where a face starts, relative to its input edge.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Side {
+    /// On the left of the edge.
+    Left,
+    /// On the right of the edge.
+    Right,
+    /// Beyond the edge's first vertex, a terminal.
+    Start,
+    /// Beyond the edge's second vertex, a terminal.
+    End,
+}
+
+/// A face: what the wavefront of one side of an edge, or of a terminal, sweeps.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Face {
+    /// The input edge.
+    pub edge: EdgeId,
+    /// Which side of it.
+    pub side: Side,
+    pub(crate) cycles: [u32; 2],
+}
+
+/// The graph a skeleton belongs to, as computed (edges split where others touch them).
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct InputGraph {
+    /// Number of vertices; node `i` is vertex `i` for `i` below it.
+    pub vertices: usize,
+    /// The edges, as pairs of vertices.
+    pub edges: Vec<[VertexId; 2]>,
+    /// Number of vertices of degree one.
+    pub terminals: usize,
+}
+
+/// A straight skeleton.
+///
+/// The first nodes are the input vertices, in order. Everything is reached through typed
+/// ids; lists never change.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Skeleton {
+    pub(crate) nodes: Vec<Node>,
+    pub(crate) arcs: Vec<Arc>,
+    pub(crate) faces: Vec<Face>,
+    /// `cycles[k]..cycles[k + 1]` are the corners of boundary cycle k in `corners`.
+    pub(crate) cycles: Vec<u32>,
+    pub(crate) corners: Vec<NodeId>,
+    pub(crate) input: InputGraph,
+    pub(crate) region: Region,
+    pub(crate) stats: Stats,
+}
+
+impl Skeleton {
+    /// All nodes; the first [`InputGraph::vertices`] are the input's.
+    #[must_use]
+    pub fn nodes(&self) -> &[Node] {
+        &self.nodes
+    }
+
+    /// All arcs.
+    #[must_use]
+    pub fn arcs(&self) -> &[Arc] {
+        &self.arcs
+    }
+
+    /// All faces, ordered by edge, then side.
+    #[must_use]
+    pub fn faces(&self) -> &[Face] {
+        &self.faces
+    }
+
+    /// One node.
+    #[must_use]
+    pub fn node(&self, id: NodeId) -> &Node {
+        &self.nodes[id.index()]
+    }
+
+    /// One arc.
+    #[must_use]
+    pub fn arc(&self, id: ArcId) -> &Arc {
+        &self.arcs[id.index()]
+    }
+
+    /// One face.
+    #[must_use]
+    pub fn face(&self, id: FaceId) -> &Face {
+        &self.faces[id.index()]
+    }
+
+    /// The nodes around a face, counterclockwise: the outer boundary. It starts with the
+    /// two ends of the input edge (one node for a terminal), the face on their left. An
+    /// unbounded face has two infinite nodes in a row.
+    #[must_use]
+    pub fn boundary(&self, face: FaceId) -> &[NodeId] {
+        self.cycle(self.faces[face.index()].cycles[0])
+    }
+
+    /// Inner boundaries of a face, clockwise. Without weights there are none.
+    pub fn holes(&self, face: FaceId) -> impl Iterator<Item = &[NodeId]> {
+        let [first, end] = self.faces[face.index()].cycles;
+        (first + 1..end).map(|k| self.cycle(k))
+    }
+
+    fn cycle(&self, k: u32) -> &[NodeId] {
+        let k = k as usize;
+        &self.corners[self.cycles[k] as usize..self.cycles[k + 1] as usize]
+    }
+
+    /// The input graph as computed.
+    #[must_use]
+    pub const fn input(&self) -> &InputGraph {
+        &self.input
+    }
+
+    /// Which part of the plane is covered (never [`Region::Auto`]).
+    #[must_use]
+    pub const fn region(&self) -> Region {
+        self.region
+    }
+
+    /// What the computation did.
+    #[must_use]
+    pub const fn stats(&self) -> &Stats {
+        &self.stats
+    }
+}

@@ -1,0 +1,18 @@
+//! What the computation did, counted.
+
+/// Counts of one computation; [`Skeleton::stats`](super::Skeleton::stats).
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub struct Stats {
+    /// Edge events: wavefront edges that shrank to a point.
+    pub edge_events: u64,
+    /// Split events: wavefront vertices that ran into a wavefront edge or into each other.
+    pub split_events: u64,
+    /// Flips of spokes.
+    pub flips: u64,
+    /// Decisions answered by f64 with a proven error bound.
+    pub by_f64: u64,
+    /// Decisions answered by double-double with a proven error bound.
+    pub by_double_double: u64,
+    /// Decisions answered by exact integers.
+    pub by_exact: u64,
+}
