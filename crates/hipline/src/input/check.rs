@@ -20,7 +20,7 @@ impl Mesh {
     ///
     /// # Errors
     /// The first promise that is broken.
-    pub(crate) fn check(&self, vertices: &[[f64; 2]], edges: &[Edge], scale: Scale) -> Result<(), String> {
+    pub(super) fn check(&self, vertices: &[[f64; 2]], edges: &[Edge], scale: Scale) -> Result<(), String> {
         let points: Vec<_> = vertices.iter().map(|&point| coord(scale.apply(point))).collect();
         for (t, corners) in self.corners.iter().enumerate() {
             let [a, b, c] = corners.map(|corner| points[corner as usize]);
