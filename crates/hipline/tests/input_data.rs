@@ -53,10 +53,8 @@ fn build(feature: &Value) -> Result<Figure, InvalidFigure> {
         Some("Polygon") => {
             let weights = &properties["edge_weights"];
             if weights.is_array() {
-                let mut weights = list(weights, |weight| weight.as_f64().expect("a number")).into_iter();
-                let rings = rings(coordinates);
-                let speeds = rings.iter().map(|ring| weights.by_ref().take(ring.len() - 1).collect()).collect();
-                builder.weighted_polygon(rings, speeds);
+                let speeds = list(weights, |ring| list(ring, |weight| weight.as_f64().expect("a number")));
+                builder.weighted_polygon(rings(coordinates), speeds);
             } else {
                 builder.polygon(rings(coordinates));
             }

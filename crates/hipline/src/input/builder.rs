@@ -13,7 +13,8 @@ use super::{Figure, Flaw, InvalidFigure, crossing, gather, nesting, range::Scale
 ///   inside of an edge splits that edge. Only a polygon whose inside falls into several
 ///   pieces that way is refused.
 /// * Lines and graphs anywhere, inside and outside of polygons, as long as no two edges
-///   cross or overlap.
+///   cross or overlap. An edge that is the same in several lines, and of the same speeds,
+///   is one edge; it has the name it was first given.
 ///
 /// ```
 /// use hipline::FigureBuilder;

@@ -3,6 +3,8 @@
 //! Everything that can be judged without geometry is judged here: counts, indices, speeds,
 //! equal points. What is flawed is left out, so that the rest can still be checked.
 
+use std::collections::{HashMap, hash_map::Entry};
+
 use super::{Edge, Flaw, Place, Source, builder::Part};
 use crate::topology::VertexId;
 
@@ -33,7 +35,14 @@ pub(super) fn gather(parts: &[Part]) -> Gathered {
     }
     gathered.vertices.reserve_exact(count);
     gathered.edges.reserve_exact(count);
-    let mut gatherer = Gatherer { distinct: Distinct::new(count), ids: Vec::new(), gathered };
+    let lines = parts.iter().filter(|part| !matches!(part, Part::Polygon { .. })).count();
+    let mut gatherer = Gatherer {
+        distinct: Distinct::new(count),
+        ids: Vec::new(),
+        drawn: HashMap::new(),
+        several_lines: lines > 1,
+        gathered,
+    };
     for (part, content) in parts.iter().enumerate() {
         match content {
             Part::Polygon { rings, speeds } => gatherer.polygon(part, rings, speeds.as_deref()),
@@ -77,6 +86,11 @@ struct Gatherer {
     distinct: Distinct,
     /// The vertex of each point of the ring, line or graph at hand.
     ids: Vec<u32>,
+    /// The edges of lines and graphs by their ends: the first one, and the last part in
+    /// which it occurred. Left empty as long as there is one such part only.
+    drawn: HashMap<[u32; 2], (usize, usize)>,
+    /// Whether there are several lines or graphs.
+    several_lines: bool,
 }
 
 impl Gatherer {
@@ -131,7 +145,7 @@ impl Gatherer {
             }
         }
         self.ids.clear();
-        let mut seen = std::collections::HashMap::with_capacity(vertices.len());
+        let mut seen = HashMap::with_capacity(vertices.len());
         for (index, &point) in vertices.iter().enumerate() {
             let place = Place { index, ..at };
             if lone[index] {
@@ -158,6 +172,27 @@ impl Gatherer {
             }
             self.edge(place, ends, speeds, false, true);
         }
+    }
+
+    /// Whether another line or graph has the same edge, of the same speeds: then it is one
+    /// edge. (Polygons may not share edges, and no line may go along itself.)
+    fn drawn_before(&mut self, part: usize, [from, to]: [u32; 2], speeds: [f64; 2], on_ring: bool) -> bool {
+        if on_ring || !self.several_lines {
+            return false;
+        }
+        let number = self.gathered.edges.len();
+        let (first, last_part) = match self.drawn.entry([from.min(to), from.max(to)]) {
+            Entry::Vacant(entry) => {
+                entry.insert((number, part));
+                return false;
+            }
+            Entry::Occupied(entry) => entry.into_mut(),
+        };
+        let edge = self.gathered.edges[*first];
+        let [left, right] = edge.speeds.map(f64::to_bits);
+        let same_way = edge.from.index() == from as usize;
+        let same_speeds = speeds.map(f64::to_bits) == if same_way { [left, right] } else { [right, left] };
+        same_speeds && std::mem::replace(last_part, part) != part
     }
 
     fn flaw(&mut self, flaw: Flaw) {
@@ -208,7 +243,7 @@ impl Gatherer {
         if from == to {
             let point = self.gathered.vertices[from as usize];
             self.flaw(Flaw::ZeroLengthEdge { edge: place, point });
-        } else if wanted {
+        } else if wanted && !self.drawn_before(place.part, [from, to], speeds, on_ring) {
             self.gathered.edges.push(Edge {
                 from: VertexId::new(from as usize),
                 to: VertexId::new(to as usize),
