@@ -1,15 +1,178 @@
 //! The kinetic triangulation engine (Aichholzer & Aurenhammer 1996, section 3).
+//!
+//! The unswept region is kept triangulated while the wavefront moves. Every event of the
+//! wavefront is witnessed by a triangle that collapses; collapsing triangles wait in a
+//! priority queue. Departures from the paper:
+//!
+//! * All collapses of one moment are resolved together ([`resolve`]), on the figure as it
+//!   stands at that moment: sides of length zero are contracted, then flat triangles are
+//!   split or flipped, the longest side first. Nothing is perturbed, and wavefront vertices
+//!   of infinite speed live only within one such batch, so they never need a velocity.
+//! * The exterior is framed by four points at infinity ([`Direction`](crate::predicates::Direction))
+//!   instead of one, so that each unbounded triangle has an area that is linear in time.
+//! * Neighbours on one plane are carried as one wavefront edge ([`straight`]); their faces
+//!   are cut apart afterwards by ghost arcs.
+//!
+//! Invariant: between two batches every triangle has positive area, and no wavefront vertex
+//! has an angle of 0 or 180 degrees.
+
+mod queue;
+mod resolve;
+mod schedule;
+mod setup;
+mod straight;
+mod triangulation;
+mod wavefront;
+
+use std::cmp::Ordering;
 
 use crate::{
     input::Figure,
-    skeleton::{Options, Skeleton},
+    predicates::{Moment, Planes, Terminal},
+    skeleton::{Options, Region, Skeleton, Stats, assemble},
+    topology::{TraceId, TriangleId},
 };
+use queue::Queue;
+use triangulation::Triangulation;
+pub(crate) use wavefront::{End, Trace, Walk, Wavefront};
+
+/// The state of the propagation.
+struct Kinetic<'a> {
+    figure: &'a Figure,
+    planes: Planes,
+    terminals: Vec<Terminal>,
+    triangulation: Triangulation,
+    front: Wavefront,
+    queue: Queue,
+    /// For each triangle in the queue, when it collapses.
+    moments: Vec<Moment>,
+    now: Moment,
+    batch: Batch,
+    stats: Stats,
+}
+
+/// What is to do and was done at one moment.
+#[derive(Default)]
+struct Batch {
+    /// Number of the batch.
+    number: u32,
+    /// The first node of this batch.
+    first_node: u32,
+    /// Triangles that may be flat, the next one last.
+    work: Vec<TriangleId>,
+    /// Vertices with an angle of 180 degrees.
+    straight: Vec<TraceId>,
+    /// Vertices that are new.
+    fresh: Vec<TraceId>,
+    /// Triangles whose next collapse is to be found anew.
+    dirty: Vec<TriangleId>,
+    /// For each triangle, the batch in which it was last scheduled.
+    scheduled: Vec<u32>,
+}
 
 impl Figure {
     /// The straight skeleton.
+    ///
+    /// Exact: all decisions are signs of exact numbers; coordinates and times of the result
+    /// are correctly rounded. Total: every figure has a skeleton.
+    ///
+    /// # Complexity
+    /// O(n) memory; about n log n time on ordinary input, O(n^3 log n) at worst (Lemma 5).
     #[must_use]
     pub fn skeleton(&self, options: Options) -> Skeleton {
-        let _ = (options, self.mesh());
-        todo!()
+        let region = match options.region {
+            Region::Auto if self.has_polygon() => Region::Interior,
+            Region::Auto => Region::Both,
+            region => region,
+        };
+        let mut kinetic = Kinetic::new(self, region);
+        kinetic.propagate();
+        let rungs = kinetic.planes.rungs.get();
+        kinetic.stats.by_f64 = rungs.by_f64;
+        kinetic.stats.by_double_double = rungs.by_double_double;
+        kinetic.stats.by_exact = rungs.by_exact;
+        assemble(self, &kinetic.planes, &kinetic.terminals, kinetic.front, region, kinetic.stats)
+    }
+}
+
+impl Kinetic<'_> {
+    /// Lets the wavefront move until nothing happens any more.
+    fn propagate(&mut self) {
+        self.start();
+        while let Some(first) = self.queue.peek() {
+            self.begin_batch(first);
+            self.resolve_batch();
+            self.remove_straight_vertices();
+            self.end_batch();
+        }
+        self.finish();
+    }
+
+    /// Takes all triangles that collapse at the next moment from the queue.
+    fn begin_batch(&mut self, first: TriangleId) {
+        self.batch.number += 1;
+        self.batch.first_node = self.front.vertices + self.front.events.len() as u32;
+        self.now = self.moments[first.index()];
+        let bounds = self.queue.bounds(first).expect("the triangle is queued");
+        self.take(first);
+        while let Some(t) = self.queue.peek() {
+            let other = self.queue.bounds(t).expect("the triangle is queued");
+            let moment = self.moments[t.index()];
+            let order = bounds.compare(other).unwrap_or_else(|| self.planes.compare(&self.now, &moment));
+            if order != Ordering::Equal {
+                break;
+            }
+            if let (Moment::Root(_), Moment::Planes(_)) = (self.now, moment) {
+                self.now = moment;
+            }
+            self.take(t);
+        }
+    }
+
+    fn take(&mut self, t: TriangleId) {
+        let Self { queue, planes, moments, .. } = self;
+        queue.set(t, None, &schedule::exact_order(planes, moments));
+        self.batch.work.push(t);
+        self.batch.dirty.push(t);
+    }
+
+    /// Finds the next collapse of every triangle that changed.
+    fn end_batch(&mut self) {
+        let fresh = std::mem::take(&mut self.batch.fresh);
+        for &x in &fresh {
+            let trace = *self.front.trace(x);
+            if trace.end == End::Moving {
+                assert!(
+                    !trace.turn.is_zero(),
+                    "{x} between parallel {:?} and {:?} outlives its moment",
+                    self.front.wave(trace.inn),
+                    self.front.wave(trace.out)
+                );
+                let Self { batch, triangulation, .. } = self;
+                batch.dirty.extend(triangulation.fan(trace.out).map(|(t, _)| t));
+            }
+        }
+        self.batch.fresh = fresh;
+        self.batch.fresh.clear();
+        let mut dirty = std::mem::take(&mut self.batch.dirty);
+        for t in dirty.drain(..) {
+            if std::mem::replace(&mut self.batch.scheduled[t.index()], self.batch.number) != self.batch.number {
+                self.reschedule(t);
+            }
+        }
+        self.batch.dirty = dirty;
+    }
+
+    /// Lets what is left run to infinity.
+    fn finish(&mut self) {
+        for i in 0..self.triangulation.len() {
+            let t = TriangleId::new(i);
+            if self.triangulation.is_alive(t) {
+                for wave in self.triangulation.get(t).across.iter().filter_map(|a| a.wave()) {
+                    let [start, end] = self.triangulation.ends(wave);
+                    self.front.vanishes(start, end);
+                }
+            }
+        }
     }
 }

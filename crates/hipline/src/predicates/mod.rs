@@ -1,1 +1,16 @@
-//! Every geometric decision.
+//! Every geometric decision: signs of exact numbers, and orders that follow from them.
+//!
+//! Invariant: what leaves this module is a sign, an order or a correctly rounded number for
+//! output; [`Bounds`] only ever saves asking.
+
+mod expression;
+mod moment;
+mod orientation;
+mod place;
+mod planes;
+
+pub(crate) use expression::{Corner, Direction};
+pub(crate) use moment::{Area, Bounds, Moment, Part};
+pub(crate) use orientation::orientation;
+pub(crate) use place::{Bound, Place, Start};
+pub(crate) use planes::{PlaneId, Planes, Terminal};

@@ -1,7 +1,9 @@
 //! The result: nodes, arcs and faces of a straight skeleton. The only way out.
 
+mod assemble;
 mod model;
 mod stats;
 
+pub(crate) use assemble::assemble;
 pub use model::{Arc, ArcKind, Face, InputGraph, Node, NodeKind, Options, Region, Side, Skeleton};
 pub use stats::Stats;

@@ -25,6 +25,15 @@ pub struct Options {
     pub region: Region,
 }
 
+impl Options {
+    /// Covers the given part of the plane.
+    #[must_use]
+    pub const fn region(mut self, region: Region) -> Self {
+        self.region = region;
+        self
+    }
+}
+
 /// What a node is.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum NodeKind {

@@ -1,10 +1,10 @@
 //! Typed ids and nothing else: this module never reads a coordinate.
 
 macro_rules! id {
-    ($(#[$doc:meta])* $name:ident, $letter:literal) => {
+    ($(#[$doc:meta])* $vis:vis $name:ident, $letter:literal) => {
         $(#[$doc])*
         #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
-        pub struct $name(u32);
+        $vis struct $name(u32);
 
         impl $name {
             /// The id with the given index.
@@ -12,13 +12,19 @@ macro_rules! id {
             /// # Panics
             /// If the index does not fit into 32 bits.
             #[must_use]
-            pub fn new(index: usize) -> Self {
+            $vis fn new(index: usize) -> Self {
                 Self(u32::try_from(index).expect("more than 2^32 elements"))
+            }
+
+            /// The id with the given number.
+            #[allow(dead_code, reason = "internal ids only")]
+            pub(crate) const fn raw(index: u32) -> Self {
+                Self(index)
             }
 
             /// The position of the element in its list.
             #[must_use]
-            pub const fn index(self) -> usize {
+            $vis const fn index(self) -> usize {
                 self.0 as usize
             }
         }
@@ -39,21 +45,34 @@ macro_rules! id {
 
 id!(
     /// A vertex of the input graph.
-    VertexId, "v"
+    pub VertexId, "v"
 );
 id!(
     /// An edge of the input graph.
-    EdgeId, "e"
+    pub EdgeId, "e"
 );
 id!(
     /// A node of the skeleton.
-    NodeId, "n"
+    pub NodeId, "n"
 );
 id!(
     /// An arc of the skeleton.
-    ArcId, "a"
+    pub ArcId, "a"
 );
 id!(
     /// A face of the skeleton.
-    FaceId, "f"
+    pub FaceId, "f"
+);
+
+id!(
+    /// A triangle of the kinetic triangulation.
+    pub(crate) TriangleId, "t"
+);
+id!(
+    /// A wavefront edge.
+    pub(crate) WaveId, "w"
+);
+id!(
+    /// A wavefront vertex; its trace is an arc.
+    pub(crate) TraceId, "x"
 );

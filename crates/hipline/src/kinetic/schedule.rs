@@ -1,0 +1,131 @@
+//! When does a triangle collapse next?
+
+use std::cmp::Ordering;
+
+use super::{
+    Kinetic,
+    triangulation::{Triangulation, next, prev},
+    wavefront::{Trace, Wavefront},
+};
+use crate::predicates::{Bounds, Corner, Moment, PlaneId, Planes};
+use crate::topology::{TriangleId, WaveId};
+use hipline_num::Sign;
+
+/// The planes whose meeting makes a wavefront edge vanish.
+fn collapse_planes(triangulation: &Triangulation, front: &Wavefront, wave: WaveId) -> [PlaneId; 3] {
+    let [start, end] = triangulation.ends(wave);
+    let before = front.wave(front.trace(start).inn).plane;
+    let after = front.wave(front.trace(end).out).plane;
+    [before, front.wave(wave).plane, after]
+}
+
+pub(super) fn corner(front: &Wavefront, tip: super::triangulation::Tip) -> Corner {
+    match tip.trace() {
+        Some(x) => Corner::Finite(front.trace(x).pair),
+        None => Corner::Ideal(tip.direction().expect("a tip is a vertex or a direction")),
+    }
+}
+
+/// The moment at which two vertices meet whose paths cross, if they ever do.
+fn meeting_moment(planes: &Planes, u: &Trace, v: &Trace) -> Option<[PlaneId; 3]> {
+    v.pair
+        .into_iter()
+        .map(|third| [u.pair[0], u.pair[1], third])
+        .find(|&triple| !u.pair.contains(&triple[2]) && planes.do_meet(triple))
+}
+
+/// The exact order of two queued triangles.
+pub(super) fn exact_order<'a>(
+    planes: &'a Planes,
+    moments: &'a [Moment],
+) -> impl Fn(TriangleId, TriangleId) -> Ordering + 'a {
+    move |a, b| planes.compare(&moments[a.index()], &moments[b.index()])
+}
+
+impl Kinetic<'_> {
+    /// Finds the next collapse of a triangle and sets it in the queue.
+    pub(super) fn reschedule(&mut self, t: TriangleId) {
+        let found = if self.triangulation.is_alive(t) { self.next_collapse(t) } else { None };
+        let Self { queue, planes, moments, .. } = self;
+        queue.set(t, None, &exact_order(planes, moments));
+        if let Some((moment, bounds)) = found {
+            moments[t.index()] = moment;
+            queue.set(t, Some(bounds), &exact_order(planes, moments));
+        }
+    }
+
+    /// How and when a triangle collapses next.
+    pub(super) fn next_collapse(&self, t: TriangleId) -> Option<(Moment, Bounds)> {
+        let triangle = self.triangulation.get(t);
+        let mut best: Option<(Moment, Bounds)> = None;
+        let mut waves = [None; 3];
+        for k in 0..3 {
+            waves[k] = triangle.across[k].wave();
+        }
+        let count = waves.iter().flatten().count();
+        if count == 0 {
+            return self.next_flat(t);
+        }
+        for k in 0..3 {
+            let Some(wave) = waves[k] else { continue };
+            let triple = collapse_planes(&self.triangulation, &self.front, wave);
+            let [start, end] = [triangle.tips[next(k)], triangle.tips[prev(k)]]
+                .map(|tip| self.front.trace(tip.trace().expect("wavefront edges are finite")));
+            // The length is -(N + D t) times a number of the sign of both turns' product.
+            if let Some(bounds) = self.planes.meeting_if(triple, start.turn * end.turn) {
+                best = Some(self.earlier(best, (Moment::of_planes(triple), bounds)));
+            }
+            if count == 1
+                && let Some(apex) = triangle.tips[k].trace()
+            {
+                let [i, j] = self.front.trace(apex).pair;
+                let plane = self.front.wave(wave).plane;
+                if plane != i
+                    && plane != j
+                    && let Some(bounds) = self.planes.meeting_if([plane, i, j], Sign::Positive)
+                {
+                    best = Some(self.earlier(best, (Moment::of_planes([plane, i, j]), bounds)));
+                }
+            }
+        }
+        best
+    }
+
+    /// The earlier one of two collapses of a triangle; the first, if they coincide.
+    fn earlier(&self, a: Option<(Moment, Bounds)>, b: (Moment, Bounds)) -> (Moment, Bounds) {
+        let Some(a) = a else { return b };
+        let order = a.1.compare(b.1).unwrap_or_else(|| self.planes.compare(&a.0, &b.0));
+        if order == Ordering::Greater { b } else { a }
+    }
+
+    /// When a triangle without a wavefront edge becomes flat.
+    fn next_flat(&self, t: TriangleId) -> Option<(Moment, Bounds)> {
+        let triangle = self.triangulation.get(t);
+        let traces = triangle.tips.map(|tip| tip.trace().map(|x| self.front.trace(x)));
+        // A corner that comes to lie between two others sees more than half a turn.
+        if traces.iter().flatten().count() < 2
+            || traces.iter().flatten().all(|trace| trace.turn == Sign::Positive)
+        {
+            return None;
+        }
+        let corners = triangle.tips.map(|tip| corner(&self.front, tip));
+        let bounds = self.planes.falling_root(&self.now, corners)?;
+        // The ends of a spoke may meet: an event of the wavefront, at a moment of three planes.
+        for k in 0..3 {
+            let (Some(u), Some(v)) = (traces[next(k)], traces[prev(k)]) else { continue };
+            if !self.planes.paths_cross(u.pair, v.pair) {
+                continue;
+            }
+            let Some(triple) = meeting_moment(&self.planes, u, v) else { continue };
+            let meeting = Moment::of_planes(triple);
+            let order = self.planes.bounds(&meeting).compare(bounds);
+            if order.is_some_and(Ordering::is_ne) {
+                continue;
+            }
+            if self.planes.compare(&meeting, &Moment::Root(corners)).is_eq() {
+                return Some((meeting, self.planes.bounds(&meeting)));
+            }
+        }
+        Some((Moment::Root(corners), bounds))
+    }
+}

@@ -1,0 +1,359 @@
+//! From a figure to the first triangulation (Lemma 3 of the paper).
+//!
+//! Each sector between two consecutive edges around a vertex gets a wavefront vertex, and
+//! the triangles in it. Straight vertices are removed while everything still stands, and
+//! then each terminal's vertex is doubled: a spoke that points ahead of the new wavefront
+//! edge is opened into a triangle.
+
+use super::{
+    Batch, Kinetic,
+    queue::Queue,
+    schedule::exact_order,
+    triangulation::{Across, Tip, Triangle, Triangulation, next, prev},
+    wavefront::{End, Trace, Walk, Wave, Wavefront},
+};
+use crate::{
+    input::{Figure, MeshEdge},
+    predicates::{Bounds, Direction, Moment, PlaneId, Planes, Terminal},
+    skeleton::{Region, Stats},
+    topology::{TraceId, TriangleId, WaveId},
+};
+use hipline_num::Sign;
+
+/// The vertices of degree one, in order.
+fn terminals(figure: &Figure) -> Vec<Terminal> {
+    if figure.terminals() == 0 {
+        return Vec::new();
+    }
+    let mut degree = vec![0_u8; figure.vertices().len()];
+    for edge in figure.edges() {
+        for v in [edge.from, edge.to] {
+            degree[v.index()] = (degree[v.index()] + 1).min(2);
+        }
+    }
+    let mut list = Vec::with_capacity(figure.terminals());
+    for (e, edge) in figure.edges().iter().enumerate() {
+        for (tip, inner) in [(edge.from, edge.to), (edge.to, edge.from)] {
+            if degree[tip.index()] == 1 {
+                let speed = edge.speeds[0].max(edge.speeds[1]);
+                list.push(Terminal { tip: tip.index(), inner: inner.index(), edge: e, speed });
+            }
+        }
+    }
+    list.sort_unstable_by_key(|terminal| terminal.tip);
+    list
+}
+
+/// In which of the four directions the outside of a hull edge is framed: one that is
+/// strictly ahead of it, and turns with the hull.
+fn frame(from: [f64; 2], to: [f64; 2]) -> usize {
+    let (nx, ny) = (from[1].total_cmp(&to[1]), to[0].total_cmp(&from[0]));
+    if nx.is_gt() && ny.is_ge() {
+        0
+    } else if ny.is_gt() && nx.is_le() {
+        1
+    } else if nx.is_lt() && ny.is_le() {
+        2
+    } else {
+        3
+    }
+}
+
+impl<'a> Kinetic<'a> {
+    /// The state at time zero, terminals and straight vertices not yet treated.
+    pub(super) fn new(figure: &'a Figure, region: Region) -> Self {
+        let terminals = terminals(figure);
+        let planes = Planes::new(figure, &terminals);
+        let faces = 2 * figure.edges().len() + terminals.len();
+        let mut kinetic = Self {
+            figure,
+            planes,
+            terminals,
+            triangulation: Triangulation::default(),
+            front: Wavefront::new(figure.vertices().len(), faces),
+            queue: Queue::default(),
+            moments: Vec::new(),
+            now: Moment::Start,
+            batch: Batch::default(),
+            stats: Stats::default(),
+        };
+        kinetic.triangulate(region);
+        kinetic
+    }
+
+    /// Copies the triangles of the region, frames the outside, makes wavefront edges.
+    fn triangulate(&mut self, region: Region) {
+        let mesh = self.figure.mesh();
+        let outside = region != Region::Interior;
+        let kept = |t: usize| match region {
+            Region::Interior => mesh.inside[t],
+            Region::Exterior => !mesh.inside[t],
+            Region::Auto | Region::Both => true,
+        };
+        let mut number = vec![Across::NOTHING; mesh.corners.len()];
+        let mut count = 0;
+        for t in 0..mesh.corners.len() {
+            if kept(t) {
+                number[t] = TriangleId::new(count).into();
+                count += 1;
+            }
+        }
+        // Each hull edge has a triangle, and there are as many more as the frame has turns.
+        let first_hull = count;
+        let hull = if outside { mesh.hull.len() } else { 0 };
+        let waves = 2 * self.figure.edges().len();
+        let room = count + 2 * hull + 8 + self.terminals.len();
+        self.triangulation = Triangulation::with_capacity(room, waves + self.terminals.len());
+        let neighbour = |edge: &MeshEdge| {
+            if edge.neighbour & MeshEdge::HULL == 0 {
+                number[edge.neighbour as usize]
+            } else if outside {
+                TriangleId::new(first_hull + (edge.neighbour & !MeshEdge::HULL) as usize).into()
+            } else {
+                Across::NOTHING
+            }
+        };
+        let mut edges: Vec<(TriangleId, usize, u32)> = Vec::with_capacity(waves);
+        for t in (0..mesh.corners.len()).filter(|&t| kept(t)) {
+            let id = self.triangulation.push(Triangle {
+                // Vertices for now, to be replaced by wavefront vertices.
+                tips: mesh.corners[t].map(|v| Tip::from(TraceId::new(v as usize))),
+                across: mesh.across[t].map(|edge| neighbour(&edge)),
+            });
+            for k in 0..3 {
+                if let Some(edge) = mesh.across[t][k].edge {
+                    edges.push((id, k, edge));
+                }
+            }
+        }
+        if outside {
+            let place = |v: u32| self.figure.vertices()[v as usize];
+            let direction: Vec<usize> =
+                mesh.hull.iter().map(|edge| frame(place(edge.from), place(edge.to))).collect();
+            for (i, edge) in mesh.hull.iter().enumerate() {
+                let id = self.triangulation.push(Triangle {
+                    tips: [
+                        Tip::from(TraceId::new(edge.from as usize)),
+                        Tip::from(TraceId::new(edge.to as usize)),
+                        Tip::ideal(direction[i]),
+                    ],
+                    across: [Across::NOTHING, Across::NOTHING, neighbour(&edge.across)],
+                });
+                if let Some(edge) = edge.across.edge {
+                    edges.push((id, 2, edge));
+                }
+            }
+            for i in 0..mesh.hull.len() {
+                self.fill_corner(first_hull, i, &direction);
+            }
+        }
+        self.add_waves(&edges);
+        self.add_vertices();
+    }
+
+    /// Fills the angle outside the end of hull edge `i` with triangles that have two corners
+    /// at infinity. Counterclockwise around the vertex they come after the next hull edge's
+    /// triangle and before this one's.
+    fn fill_corner(&mut self, first_hull: usize, i: usize, direction: &[usize]) {
+        let j = (i + 1) % direction.len();
+        let (this, after) = (TriangleId::new(first_hull + i), TriangleId::new(first_hull + j));
+        let tip = self.triangulation.get(this).tips[1];
+        let (mut last, mut side) = (after, 1);
+        let turns = (direction[i] + 4 - direction[j]) % 4;
+        for d in 0..turns {
+            let from = direction[j] + d;
+            let id = self.triangulation.push(Triangle {
+                tips: [tip, Tip::ideal(from), Tip::ideal(from + 1)],
+                across: [Across::NOTHING, Across::NOTHING, last.into()],
+            });
+            self.triangulation.attach(last, side, id.into());
+            (last, side) = (id, 1);
+        }
+        self.triangulation.attach(last, side, this.into());
+        self.triangulation.attach(this, 0, last.into());
+    }
+
+    fn add_waves(&mut self, edges: &[(TriangleId, usize, u32)]) {
+        for &(t, k, e) in edges {
+            let edge = &self.figure.edges()[e as usize];
+            let start = self.triangulation.get(t).tips[next(k)];
+            let left = start == Tip::from(TraceId::new(edge.from.index()));
+            let face = 2 * e + u32::from(!left);
+            let wave = self.triangulation.push_wave(t);
+            self.triangulation.attach(t, k, wave.into());
+            self.front.waves.push(Wave { plane: PlaneId(face), face });
+        }
+    }
+
+    /// One wavefront vertex for each sector.
+    fn add_vertices(&mut self) {
+        self.front.traces.reserve(self.front.waves.len() * 2);
+        // Each wavefront edge starts in one sector.
+        for out in (0..self.front.waves.len()).map(WaveId::new) {
+            let x = TraceId::new(self.front.traces.len());
+            let fan: Vec<_> = self.triangulation.fan(out).collect();
+            let &(last, corner) = fan.last().expect("a wavefront edge bounds a triangle");
+            let (first, at) = fan[0];
+            let vertex = self.triangulation.get(first).tips[at].trace().expect("a vertex");
+            let inn = self.triangulation.get(last).across[next(corner)].wave().unwrap_or_else(|| {
+                panic!("the sector at v{} has no second edge", vertex.index())
+            });
+            let faces = [inn, out].map(|w| self.front.wave(w).face);
+            self.front.push_trace(Trace {
+                pair: faces.map(PlaneId),
+                inn,
+                out,
+                born: vertex.index() as u32,
+                end: End::Moving,
+                turn: Sign::Zero,
+                after_up: Walk::Open,
+                after_down: Walk::Base(faces[1]),
+            });
+            self.front.after_base[faces[0] as usize] = Walk::Up(x);
+        }
+        // Now that every sector is known, rename the corners.
+        for out in (0..self.front.waves.len()).map(WaveId::new) {
+            let x = TraceId::new(out.index());
+            let fan: Vec<_> = self.triangulation.fan(out).collect();
+            for (t, corner) in fan {
+                self.triangulation.triangles[t.index()].tips[corner] = x.into();
+            }
+        }
+    }
+
+    /// What happens at time zero.
+    pub(super) fn start(&mut self) {
+        for i in 0..self.front.traces.len() {
+            let x = TraceId::new(i);
+            let Trace { inn, out, .. } = *self.front.trace(x);
+            let (i, j) = (self.front.wave(inn).plane, self.front.wave(out).plane);
+            if i.0 ^ j.0 == 1 {
+                continue; // a terminal: the two sides of one edge
+            }
+            let turn = self.planes.turn(i, j);
+            let trace = self.front.trace_mut(x);
+            trace.turn = turn;
+            match turn {
+                Sign::Positive => {}
+                Sign::Negative => trace.pair = [j, i],
+                Sign::Zero => self.batch.straight.push(x),
+            }
+        }
+        let tips = self.prepare_terminals();
+        self.remove_straight_vertices();
+        for (x, terminal) in tips {
+            self.open_terminal(x, terminal);
+        }
+        self.refresh_pairs();
+        self.batch.dirty.clear();
+        self.batch.fresh.clear();
+        let n = self.triangulation.len();
+        self.queue.reset(n);
+        self.moments = vec![Moment::Start; n];
+        self.batch.scheduled = vec![0; n];
+        let mut queued: Vec<(TriangleId, Bounds)> = Vec::with_capacity(n);
+        for t in (0..n).map(TriangleId::new) {
+            if self.triangulation.is_alive(t)
+                && let Some((moment, bounds)) = self.next_collapse(t)
+            {
+                self.moments[t.index()] = moment;
+                queued.push((t, bounds));
+            }
+        }
+        let Self { queue, planes, moments, .. } = self;
+        queue.fill(queued.into_iter(), &exact_order(planes, moments));
+    }
+
+    /// The plane of terminal number `i`.
+    fn terminal_plane(&self, i: usize) -> PlaneId {
+        PlaneId(2 * (self.figure.edges().len() + i) as u32)
+    }
+
+    /// Finds the vertices at terminals, and gives them a pair of planes to stand on.
+    fn prepare_terminals(&mut self) -> Vec<(TraceId, usize)> {
+        let mut list = Vec::with_capacity(self.terminals.len());
+        for i in 0..self.front.traces.len() {
+            let trace = self.front.traces[i];
+            let plane = self.front.wave(trace.inn).plane;
+            if plane.0 ^ self.front.wave(trace.out).plane.0 != 1 {
+                continue;
+            }
+            let tip = trace.born as usize;
+            let terminal = self
+                .terminals
+                .binary_search_by_key(&tip, |terminal| terminal.tip)
+                .expect("both sides of an edge meet at a terminal only");
+            // From the edge's side to the terminal's the wavefront turns right.
+            self.front.traces[i].pair = [self.terminal_plane(terminal), plane];
+            list.push((TraceId::new(i), terminal));
+        }
+        list
+    }
+
+    /// Doubles the vertex of a terminal.
+    fn open_terminal(&mut self, x: TraceId, terminal: usize) {
+        let cap_plane = self.terminal_plane(terminal);
+        let cap_face = (2 * self.figure.edges().len() + terminal) as u32;
+        let trace = *self.front.trace(x);
+        let fan: Vec<_> = self.triangulation.fan(trace.out).collect();
+        // A spoke ahead of the terminal's wavefront edge: there is one, because no angle
+        // between spokes reaches 180 degrees.
+        let ahead = |&(t, corner): &(TriangleId, usize)| {
+            let far = self.triangulation.get(t).tips[prev(corner)];
+            match far.trace() {
+                Some(far) => {
+                    let far = self.front.trace(far);
+                    self.planes.lead(&Moment::Start, far.pair, cap_plane) == Sign::Positive
+                }
+                None => self.is_ahead(terminal, far.direction().expect("a direction")),
+            }
+        };
+        let cut = fan[..fan.len() - 1].iter().position(ahead).expect("some spoke points ahead");
+        let cap = self.triangulation.push_wave(fan[cut].0);
+        self.front.waves.push(Wave { plane: cap_plane, face: cap_face });
+        // `x` becomes the first one, where the wavefront arrives; the second one is new.
+        let second = self.front.push_trace(Trace {
+            pair: [self.front.wave(trace.out).plane, cap_plane],
+            inn: cap,
+            turn: Sign::Negative,
+            ..trace
+        });
+        let first = self.front.trace_mut(x);
+        first.out = cap;
+        first.turn = Sign::Negative;
+        first.after_down = Walk::Base(cap_face);
+        self.front.after_base[cap_face as usize] = Walk::Up(second);
+        for &(t, corner) in &fan[..=cut] {
+            self.triangulation.triangles[t.index()].tips[corner] = second.into();
+        }
+        let (before, corner) = fan[cut];
+        let (after, other) = fan[cut + 1];
+        let far = self.triangulation.get(before).tips[prev(corner)];
+        let opened = self.triangulation.push(Triangle {
+            tips: [far, x.into(), second.into()],
+            across: [cap.into(), before.into(), after.into()],
+        });
+        self.triangulation.attach(opened, 0, cap.into());
+        self.triangulation.attach(before, next(corner), opened.into());
+        self.triangulation.attach(after, prev(other), opened.into());
+    }
+
+    /// Whether a direction points ahead of a terminal's wavefront edge.
+    fn is_ahead(&self, terminal: usize, direction: Direction) -> bool {
+        let Terminal { tip, inner, .. } = self.terminals[terminal];
+        let [tip, inner] = [tip, inner].map(|v| self.figure.vertices()[v]);
+        let [dx, dy] = direction.vector();
+        let order = if dx == 0 { tip[1].total_cmp(&inner[1]) } else { tip[0].total_cmp(&inner[0]) };
+        if dx + dy > 0 { order.is_gt() } else { order.is_lt() }
+    }
+
+    /// The planes of vertices beside wavefront edges that were overrun have changed.
+    fn refresh_pairs(&mut self) {
+        for trace in &mut self.front.traces {
+            if trace.end == End::Moving {
+                let [i, j] = [trace.inn, trace.out].map(|w| self.front.waves[w.index()].plane);
+                trace.pair = if trace.turn == Sign::Positive { [i, j] } else { [j, i] };
+            }
+        }
+    }
+}

@@ -1,0 +1,186 @@
+//! Wavefront vertices with an angle of 180 degrees: two wavefront edges on one line.
+//!
+//! With equal speeds they lie on one plane for good and become one wavefront edge; a ghost
+//! arc will separate their faces. With unequal speeds the faster one wins (Biedl et al.
+//! 2015): it overruns the slower one at once, to its far end, along an arc of one height.
+//! Where several of them apply at once, the fastest wavefront edge goes first.
+
+use super::{
+    Kinetic,
+    triangulation::{Tip, next, prev},
+    wavefront::{End, Walk},
+};
+use crate::predicates::Moment;
+use crate::topology::{TraceId, WaveId};
+use hipline_num::Sign;
+use std::cmp::Ordering;
+
+impl Kinetic<'_> {
+    /// Removes the straight vertices of this batch, when no flat triangle is left.
+    pub(super) fn remove_straight_vertices(&mut self) {
+        while !self.batch.straight.is_empty() {
+            let mut list = std::mem::take(&mut self.batch.straight);
+            list.retain(|&x| self.front.trace(x).end == End::Moving);
+            // Those on one plane first; then by the speed of the faster wavefront edge.
+            let Some(i) = (0..list.len()).max_by(|&i, &j| self.urgency(list[i], list[j])) else {
+                return;
+            };
+            let joint = |x: &TraceId| self.speeds_at(*x).is_eq();
+            if joint(&list[i]) {
+                let (now, later) = list.iter().copied().partition(joint);
+                list = later;
+                let now: Vec<TraceId> = now;
+                for x in now {
+                    self.join(x);
+                }
+            } else {
+                let x = list.swap_remove(i);
+                self.overrun(x);
+            }
+            self.batch.straight.extend(list);
+        }
+    }
+
+    /// Compares the speeds of the wavefront edges before and after a straight vertex.
+    fn speeds_at(&self, x: TraceId) -> Ordering {
+        let trace = self.front.trace(x);
+        self.planes.compare_speeds(self.front.wave(trace.inn).plane, self.front.wave(trace.out).plane)
+    }
+
+    fn urgency(&self, x: TraceId, y: TraceId) -> Ordering {
+        let fastest = |x: TraceId| {
+            let trace = self.front.trace(x);
+            let [a, b] = [trace.inn, trace.out].map(|w| self.front.wave(w).plane);
+            if self.planes.compare_speeds(a, b).is_ge() { a } else { b }
+        };
+        let joint = |x| self.speeds_at(x).is_eq();
+        joint(x)
+            .cmp(&joint(y))
+            .then_with(|| self.planes.compare_speeds(fastest(x), fastest(y)))
+            .then_with(|| y.cmp(&x))
+    }
+
+    /// Takes a straight vertex out of the triangulation: its two wavefront edges become one,
+    /// which is `keep`.
+    fn take_out(&mut self, p: TraceId, keep: WaveId) {
+        let trace = *self.front.trace(p);
+        // Flip its spokes away until one is left. The fan, seen from p, is a polygon over
+        // the base from `inn`'s start to `out`'s end, with an ear at some spoke's far end.
+        let mut fan: Vec<_> = self.triangulation.fan(trace.out).collect();
+        let mut i = 0;
+        while fan.len() > 2 {
+            if i + 1 >= fan.len() {
+                i = 0;
+            }
+            let (t, corner) = fan[i];
+            let (other, k) = fan[i + 1];
+            let tips = self.triangulation.get(t).tips;
+            let (a, b) = (tips[next(corner)], tips[prev(corner)]);
+            let c = self.triangulation.get(other).tips[prev(k)];
+            if self.orientation([a, b, c]) != Sign::Positive {
+                i += 1;
+                continue;
+            }
+            // The spoke p-b lies on the side of `t` after the corner.
+            self.triangulation.flip(t, next(corner));
+            self.stats.flips += 1;
+            self.batch.dirty.extend([t, other]);
+            let kept = if self.triangulation.get(t).tips.contains(&p.into()) { t } else { other };
+            fan[i] = (kept, self.triangulation.corner_of(kept, p.into()));
+            fan.remove(i + 1);
+            i = i.saturating_sub(1);
+        }
+        let [(t, k), (gone, j)] = fan[..] else { panic!("{p} is straight and has one triangle") };
+        let start = self.triangulation.get(gone).tips[prev(j)];
+        let far = self.triangulation.get(gone).across[j];
+        self.triangulation.kill(gone);
+        self.triangulation.triangles[t.index()].tips[k] = start;
+        self.triangulation.attach(t, next(k), far);
+        if let Some(beyond) = far.triangle() {
+            let side = self.triangulation.side_to(beyond, gone.into());
+            self.triangulation.attach(beyond, side, t.into());
+        }
+        self.triangulation.attach(t, prev(k), keep.into());
+        self.batch.dirty.extend([t, gone]);
+        let [u, v] = self.triangulation.ends(keep);
+        self.front.trace_mut(u).out = keep;
+        self.front.trace_mut(v).inn = keep;
+    }
+
+    /// The sign of a triangle's area at this moment; at the start, of input vertices.
+    fn orientation(&self, tips: [Tip; 3]) -> Sign {
+        if self.now != Moment::Start {
+            return self.area_now(tips);
+        }
+        let places = tips.map(|tip| match tip.trace() {
+            Some(x) => Ok(self.figure.vertices()[self.front.trace(x).born as usize]),
+            None => Err(tip.direction().expect("a vertex or a direction")),
+        });
+        crate::predicates::orientation(places)
+    }
+
+    /// Two wavefront edges on one plane become one.
+    fn join(&mut self, p: TraceId) {
+        let trace = *self.front.trace(p);
+        let faces = [trace.inn, trace.out].map(|w| self.front.wave(w).face);
+        self.take_out(p, trace.inn);
+        let at_p = self.front.trace_mut(p);
+        at_p.end = End::Ghost;
+        at_p.after_up = Walk::Down(p);
+        self.front.join_faces(faces[0], faces[1]);
+    }
+
+    /// The faster one of two wavefront edges on one line overruns the slower one.
+    fn overrun(&mut self, p: TraceId) {
+        let trace = *self.front.trace(p);
+        let starting = self.now == Moment::Start;
+        if self.speeds_at(p).is_lt() {
+            // `inn` is overrun, back to its start u.
+            let [u, _] = self.triangulation.ends(trace.inn);
+            let slow = self.front.wave(trace.inn).face;
+            self.take_out(p, trace.out);
+            if starting {
+                self.front.trace_mut(p).end = End::At(self.front.trace(u).born);
+                self.front.trace_mut(p).after_up = Walk::Base(slow);
+                self.front.start_moves(p, u);
+                return;
+            }
+            let node = self.node_now(u);
+            let at_u = *self.front.trace(u);
+            let new = self.replace(u, at_u.inn, trace.out, node);
+            self.front.trace_mut(p).end = End::At(node);
+            self.front.vanishes(u, p);
+            self.front.end_moves(u, new);
+            self.front.start_moves(p, new);
+        } else {
+            // `out` is overrun, on to its end v.
+            let [_, v] = self.triangulation.ends(trace.out);
+            let slow = self.front.wave(trace.out).face;
+            self.take_out(p, trace.inn);
+            if starting {
+                self.front.trace_mut(p).end = End::At(self.front.trace(v).born);
+                self.front.after_base[slow as usize] = Walk::Down(p);
+                self.front.end_moves(p, v);
+                return;
+            }
+            let node = self.node_now(v);
+            let at_v = *self.front.trace(v);
+            let new = self.replace(v, trace.inn, at_v.out, node);
+            self.front.trace_mut(p).end = End::At(node);
+            self.front.vanishes(p, v);
+            self.front.end_moves(p, new);
+            self.front.start_moves(v, new);
+        }
+    }
+
+    /// A new vertex takes the place of another.
+    fn replace(&mut self, old: TraceId, inn: WaveId, out: WaveId, node: u32) -> TraceId {
+        self.front.trace_mut(old).end = End::At(node);
+        let fan: Vec<_> = self.triangulation.fan(out).collect();
+        let new = self.spawn(inn, out, node, old);
+        for &(t, corner) in &fan {
+            self.triangulation.triangles[t.index()].tips[corner] = new.into();
+        }
+        new
+    }
+}

@@ -1,0 +1,189 @@
+//! The wavefront and what it leaves behind: vertices, their traces, the faces' boundaries.
+//!
+//! A wavefront vertex between the wavefront edges `inn` (which ends at it) and `out` (which
+//! starts at it) traces an arc. The boundary of a face, counterclockwise, goes along the
+//! face's base, then up the traces of its wavefront edge's end, then down the traces of its
+//! start. So each trace is walked up in the face of `inn` and down in the face of `out`,
+//! and each change of the wavefront links two such walks. The faces need no other record.
+
+use crate::predicates::PlaneId;
+use crate::topology::{TraceId, WaveId};
+use hipline_num::Sign;
+
+/// A step of a face's boundary.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Walk {
+    /// Not yet known.
+    Open,
+    /// Along a trace, forward in time; the face is that of the trace's `inn`.
+    Up(TraceId),
+    /// Along a trace, backward in time; the face is that of the trace's `out`.
+    Down(TraceId),
+    /// Along the base of the face with this number.
+    Base(u32),
+}
+
+/// How a trace ends.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum End {
+    /// It still moves; at the end of the propagation: it moves for ever.
+    Moving,
+    /// At a node (by its number; the input vertices come first).
+    At(u32),
+    /// Both its wavefront edges lie on one plane: they go on as one, and the ghost arc is
+    /// found when the face is known.
+    Ghost,
+}
+
+/// A wavefront vertex.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Trace {
+    /// Two planes on which it lies, the first turning left into the second. Where its own
+    /// two planes are parallel (it then lives for no time at all) they may be others that
+    /// pass through its place.
+    pub pair: [PlaneId; 2],
+    /// The wavefront edge that ends here.
+    pub inn: WaveId,
+    /// The wavefront edge that starts here.
+    pub out: WaveId,
+    /// The node where it starts.
+    pub born: u32,
+    /// How it ends.
+    pub end: End,
+    /// The turn from `inn` to `out`: positive is convex, negative reflex, zero parallel.
+    pub turn: Sign,
+    /// The walk after `Up(self)`.
+    pub after_up: Walk,
+    /// The walk after `Down(self)`.
+    pub after_down: Walk,
+}
+
+/// A wavefront edge: a piece of a face's plane.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Wave {
+    /// The plane it moves on.
+    pub plane: PlaneId,
+    /// The number of the face it sweeps.
+    pub face: u32,
+}
+
+/// A node with time above zero, by definition: the vertex of two planes at the moment when
+/// three planes meet.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct EventNode {
+    pub pair: [PlaneId; 2],
+    pub moment: [PlaneId; 3],
+}
+
+/// Everything that the propagation leaves behind.
+#[derive(Debug, Default)]
+pub(crate) struct Wavefront {
+    pub traces: Vec<Trace>,
+    pub waves: Vec<Wave>,
+    /// Number of input vertices, which are the first nodes.
+    pub vertices: u32,
+    /// Nodes with time above zero.
+    pub events: Vec<EventNode>,
+    /// The node that each event node was found to be.
+    same: Vec<u32>,
+    /// For each face, the walk after its base.
+    pub after_base: Vec<Walk>,
+    /// For each face, the one whose plane it was found to share.
+    joint: Vec<u32>,
+}
+
+fn root(parents: &mut [u32], mut i: u32) -> u32 {
+    while parents[i as usize] != i {
+        let grandparent = parents[parents[i as usize] as usize];
+        parents[i as usize] = grandparent;
+        i = grandparent;
+    }
+    i
+}
+
+impl Wavefront {
+    pub(super) fn new(vertices: usize, faces: usize) -> Self {
+        Self {
+            vertices: vertices as u32,
+            after_base: vec![Walk::Open; faces],
+            joint: (0..faces as u32).collect(),
+            ..Self::default()
+        }
+    }
+
+    pub(crate) fn trace(&self, x: TraceId) -> &Trace {
+        &self.traces[x.index()]
+    }
+
+    pub(crate) fn trace_mut(&mut self, x: TraceId) -> &mut Trace {
+        &mut self.traces[x.index()]
+    }
+
+    pub(crate) fn wave(&self, w: WaveId) -> &Wave {
+        &self.waves[w.index()]
+    }
+
+    pub(super) fn push_trace(&mut self, trace: Trace) -> TraceId {
+        self.traces.push(trace);
+        TraceId::new(self.traces.len() - 1)
+    }
+
+    /// Adds an event node.
+    pub(super) fn push_node(&mut self, node: EventNode) -> u32 {
+        self.events.push(node);
+        self.same.push(self.same.len() as u32);
+        self.vertices + self.same.len() as u32 - 1
+    }
+
+    /// The representative of a node.
+    pub(crate) fn node(&mut self, node: u32) -> u32 {
+        if node < self.vertices {
+            node
+        } else {
+            self.vertices + root(&mut self.same, node - self.vertices)
+        }
+    }
+
+    /// Two nodes are found to be one.
+    pub(super) fn same_node(&mut self, a: u32, b: u32) -> u32 {
+        let (a, b) = (self.node(a), self.node(b));
+        let (low, high) = (a.min(b), a.max(b));
+        if low != high {
+            assert!(low >= self.vertices, "nodes {low} and {high} are not at one time");
+            self.same[(high - self.vertices) as usize] = low - self.vertices;
+        }
+        low
+    }
+
+    /// The representative of the faces that share a plane with this one and touch it.
+    pub(crate) fn joint_face(&mut self, face: u32) -> u32 {
+        root(&mut self.joint, face)
+    }
+
+    /// Two faces on one plane have met.
+    pub(super) fn join_faces(&mut self, a: u32, b: u32) {
+        let (a, b) = (self.joint_face(a), self.joint_face(b));
+        self.joint[a.max(b) as usize] = a.min(b);
+    }
+
+    /// A wavefront edge ends at `new` instead of `old`, at one place.
+    pub(super) fn end_moves(&mut self, old: TraceId, new: TraceId) {
+        self.trace_mut(old).after_up = Walk::Up(new);
+    }
+
+    /// A wavefront edge starts at `new` instead of `old`, at one place.
+    pub(super) fn start_moves(&mut self, old: TraceId, new: TraceId) {
+        self.trace_mut(new).after_down = Walk::Down(old);
+    }
+
+    /// A wavefront edge from `start` to `end` has vanished.
+    pub(super) fn vanishes(&mut self, start: TraceId, end: TraceId) {
+        self.trace_mut(end).after_up = Walk::Down(start);
+    }
+
+    /// A wavefront edge was cut in two: the first part ends at `end`, the second starts at
+    /// `start`, both new.
+    pub(super) fn is_cut(&mut self, end: TraceId, start: TraceId) {
+        self.trace_mut(start).after_down = Walk::Up(end);
+    }
+}

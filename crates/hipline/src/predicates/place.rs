@@ -1,0 +1,276 @@
+//! Places of nodes: their definitions, their order along an edge, their rounded coordinates.
+
+use dashu_int::IBig;
+use hipline_num::{BallDd, Number, Sign, Surd, f64_to_parts, round_ball_dd_plus, round_quotient_plus};
+use std::cmp::Ordering;
+
+use super::{
+    expression::{Path, meeting},
+    planes::{PlaneId, Planes, Question, Rung},
+};
+
+/// A place and a moment, by definition.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Place {
+    /// An input vertex, at time zero.
+    Vertex([f64; 2]),
+    /// The intersection of two planes at the moment when three planes meet.
+    Event { pair: [PlaneId; 2], moment: [PlaneId; 3] },
+    /// Where the perpendicular to `plane`'s edge through the start of a ghost arc, itself a
+    /// vertex or an event, reaches the boundary of the face.
+    Foot { start: Start, plane: PlaneId, bound: Bound },
+}
+
+/// Where a ghost arc starts.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Start {
+    Vertex([f64; 2]),
+    Event { pair: [PlaneId; 2], moment: [PlaneId; 3] },
+}
+
+impl From<Start> for Place {
+    fn from(start: Start) -> Self {
+        match start {
+            Start::Vertex(v) => Self::Vertex(v),
+            Start::Event { pair, moment } => Self::Event { pair, moment },
+        }
+    }
+}
+
+/// The arc on which a ghost arc ends.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Bound {
+    /// The intersection of two planes.
+    Pair([PlaneId; 2]),
+    /// An arc of one height.
+    Level([PlaneId; 3]),
+}
+
+/// `x / w`, `y / w` and `time / since`, in the numbers of one rung.
+struct Point<T> {
+    x: T,
+    y: T,
+    w: T,
+    time: T,
+    since: T,
+}
+
+fn input<T: Rung>(planes: &Planes, [x, y]: [f64; 2]) -> Point<T> {
+    let coordinate = |x: f64, origin: f64| {
+        let scaled = |x: f64| {
+            let (mantissa, exponent) = f64_to_parts(x);
+            if mantissa == IBig::ZERO { mantissa } else { mantissa << (exponent - planes.unit) as usize }
+        };
+        T::integer(&(scaled(x) - scaled(origin)), planes.shift)
+    };
+    Point {
+        x: coordinate(x, planes.origin[0]),
+        y: coordinate(y, planes.origin[1]),
+        w: T::from_i64(1),
+        time: T::zero(),
+        since: T::from_i64(1),
+    }
+}
+
+fn point<T: Rung>(planes: &Planes, place: &Place) -> Point<T> {
+    match *place {
+        Place::Vertex(v) => input(planes, v),
+        Place::Event { pair, moment } => {
+            let path = Path::<T>::new(planes, pair);
+            let (n, d) = meeting::<T>(planes, moment);
+            let at = |z: &[T; 2]| z[0].times(&d).minus(&z[1].times(&n));
+            Point {
+                x: at(&path.x),
+                y: at(&path.y),
+                w: path.m.times(&d),
+                time: n.negated(),
+                since: d,
+            }
+        }
+        Place::Foot { start, plane, bound } => {
+            let plane = T::plane(planes, plane);
+            // The coordinate of the start along the edge is p / q.
+            let start = point::<T>(planes, &start.into());
+            let p = along(&plane.a, &plane.b, &start);
+            let q = start.w;
+            match bound {
+                Bound::Pair(pair) => {
+                    // On the arc that coordinate is (u0 + u1 t) / m.
+                    let Path { x, y, m } = Path::<T>::new(planes, pair);
+                    let [u0, u1] =
+                        [0, 1].map(|k| plane.b.times(&x[k]).minus(&plane.a.times(&y[k])));
+                    let time = p.times(&m).minus(&u0.times(&q));
+                    let since = u1.times(&q);
+                    let at = |z: &[T; 2]| z[0].times(&since).plus(&z[1].times(&time));
+                    Point { x: at(&x), y: at(&y), w: m.times(&since), time, since }
+                }
+                Bound::Level(moment) => {
+                    let (n, d) = meeting::<T>(planes, moment);
+                    let level = plane.c.times(&d).minus(&plane.s.times(&n)).times(&q);
+                    let pd = p.times(&d);
+                    let square = plane.a.times(&plane.a).plus(&plane.b.times(&plane.b));
+                    Point {
+                        x: plane.a.times(&level).plus(&plane.b.times(&pd)),
+                        y: plane.b.times(&level).minus(&plane.a.times(&pd)),
+                        w: square.times(&d).times(&q),
+                        time: n.negated(),
+                        since: d,
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// The coordinate along an edge with normal (a, b), times the point's w.
+fn along<T: Number>(a: &T, b: &T, point: &Point<T>) -> T {
+    b.times(&point.x).minus(&a.times(&point.y))
+}
+
+/// Which coordinate of places to compare.
+#[derive(Clone, Copy)]
+enum Key {
+    /// Along the edge of a plane.
+    Along(PlaneId),
+    /// The time.
+    Time,
+    X,
+    Y,
+}
+
+/// Compares two places.
+struct Order<'a>(&'a Place, &'a Place, Key);
+
+impl Question for Order<'_> {
+    fn ask<T: Rung>(&self, planes: &Planes) -> Option<Sign> {
+        let (p, q) = (point::<T>(planes, self.0), point::<T>(planes, self.1));
+        let split = |p: Point<T>| match self.2 {
+            Key::Along(plane) => {
+                let plane = T::plane(planes, plane);
+                (along(&plane.a, &plane.b, &p), p.w)
+            }
+            Key::Time => (p.time, p.since),
+            Key::X => (p.x, p.w),
+            Key::Y => (p.y, p.w),
+        };
+        let ((p, v), (q, w)) = (split(p), split(q));
+        Some(p.times(&w).minus(&q.times(&v)).sign()? * v.sign()? * w.sign()?)
+    }
+}
+
+/// How a vertex moves along an edge.
+struct Drift([PlaneId; 2], PlaneId);
+
+impl Question for Drift {
+    fn ask<T: Rung>(&self, planes: &Planes) -> Option<Sign> {
+        let path = Path::<T>::new(planes, self.0);
+        let plane = T::plane(planes, self.1);
+        plane.b.times(&path.x[1]).minus(&plane.a.times(&path.y[1])).sign()
+    }
+}
+
+/// How a vertex that does not move along an edge lies to a place.
+struct Beside<'a>([PlaneId; 2], &'a Place, PlaneId);
+
+impl Question for Beside<'_> {
+    fn ask<T: Rung>(&self, planes: &Planes) -> Option<Sign> {
+        let path = Path::<T>::new(planes, self.0);
+        let plane = T::plane(planes, self.2);
+        let u = plane.b.times(&path.x[0]).minus(&plane.a.times(&path.y[0]));
+        let place = point::<T>(planes, self.1);
+        let p = along(&plane.a, &plane.b, &place);
+        Some(u.times(&place.w).minus(&p.times(&path.m)).sign()? * place.w.sign()?)
+    }
+}
+
+impl Planes {
+    /// Compares where a vertex will be in the end with a place, along the direction of a
+    /// plane's wavefront edge.
+    pub(crate) fn compare_far(&self, pair: [PlaneId; 2], place: &Place, plane: PlaneId) -> Ordering {
+        match self.drift(pair, plane) {
+            Sign::Zero => self.decide(&Beside(pair, place, plane)).ordering(),
+            drift => drift.ordering(),
+        }
+    }
+
+    /// Compares two places along the direction of a plane's wavefront edge.
+    pub(crate) fn compare_along(&self, p: &Place, q: &Place, plane: PlaneId) -> Ordering {
+        if p == q { Ordering::Equal } else { self.decide(&Order(p, q, Key::Along(plane))).ordering() }
+    }
+
+    /// Compares the times of two places.
+    pub(crate) fn compare_times(&self, p: &Place, q: &Place) -> Ordering {
+        if p == q { Ordering::Equal } else { self.decide(&Order(p, q, Key::Time)).ordering() }
+    }
+
+    /// Compares two places by x, then y.
+    pub(crate) fn compare_points(&self, p: &Place, q: &Place) -> Ordering {
+        if p == q {
+            return Ordering::Equal;
+        }
+        let by = |key| self.decide(&Order(p, q, key)).ordering();
+        by(Key::X).then_with(|| by(Key::Y))
+    }
+
+    /// Whether a vertex moves forward or backward along a plane's wavefront edge.
+    pub(crate) fn drift(&self, pair: [PlaneId; 2], plane: PlaneId) -> Sign {
+        self.decide(&Drift(pair, plane))
+    }
+
+    /// `x`, `y` and time of a place, each the nearest f64.
+    pub(crate) fn round(&self, place: &Place) -> [f64; 3] {
+        if let Place::Vertex([x, y]) = *place {
+            return [x, y, 0.0];
+        }
+        let near = point::<BallDd>(self, place);
+        let (x_unit, t_unit) = (self.unit + self.shift, self.time_unit + self.shift - self.speed_shift());
+        let fast = [
+            round_ball_dd_plus(&near.x, &near.w, x_unit, self.origin[0]),
+            round_ball_dd_plus(&near.y, &near.w, x_unit, self.origin[1]),
+            round_ball_dd_plus(&near.time, &near.since, t_unit, 0.0),
+        ];
+        if let [Some(x), Some(y), Some(t)] = fast {
+            return [x, y, t];
+        }
+        let exact = point::<Surd>(self, place);
+        [
+            fast[0].unwrap_or_else(|| round_quotient_plus(&exact.x, &exact.w, self.unit, self.origin[0])),
+            fast[1].unwrap_or_else(|| round_quotient_plus(&exact.y, &exact.w, self.unit, self.origin[1])),
+            fast[2].unwrap_or_else(|| round_quotient_plus(&exact.time, &exact.since, self.time_unit, 0.0)),
+        ]
+    }
+
+    /// The velocity of a vertex, each component the nearest f64.
+    pub(crate) fn round_velocity(&self, pair: [PlaneId; 2]) -> [f64; 2] {
+        let velocity = |x: &dyn Fn() -> (Surd, Surd), near: (BallDd, BallDd)| {
+            let unit = self.unit - self.time_unit;
+            round_ball_dd_plus(&near.0, &near.1, unit + self.speed_shift(), 0.0).unwrap_or_else(|| {
+                let (p, q) = x();
+                round_quotient_plus(&p, &q, unit, 0.0)
+            })
+        };
+        let near = Path::<BallDd>::new(self, pair);
+        let exact = || Path::<Surd>::new(self, pair);
+        [
+            velocity(&|| (exact().x[1].clone(), exact().m), (near.x[1], near.m)),
+            velocity(&|| (exact().y[1].clone(), exact().m), (near.y[1], near.m)),
+        ]
+    }
+
+    /// The velocity of a plane along its normal, each component the nearest f64.
+    pub(crate) fn round_normal_velocity(&self, plane: PlaneId) -> [f64; 2] {
+        fn parts<T: Rung>(planes: &Planes, plane: PlaneId) -> [T; 3] {
+            let plane = T::plane(planes, plane);
+            let square = plane.a.times(&plane.a).plus(&plane.b.times(&plane.b));
+            [plane.a.times(&plane.s), plane.b.times(&plane.s), square]
+        }
+        let unit = self.unit - self.time_unit;
+        let near = parts::<BallDd>(self, plane);
+        [0, 1].map(|k| {
+            round_ball_dd_plus(&near[k], &near[2], unit + self.speed_shift(), 0.0).unwrap_or_else(|| {
+                let exact = parts::<Surd>(self, plane);
+                round_quotient_plus(&exact[k], &exact[2], unit, 0.0)
+            })
+        })
+    }
+}

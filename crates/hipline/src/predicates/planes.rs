@@ -1,0 +1,430 @@
+//! One plane per wavefront edge (the derivation is in `docs/derivations.md`, section 1).
+//!
+//! A wavefront edge that starts at `p -> q` and sweeps to its left lies at time t on
+//! `a x + b y = c + s t`, with `(a, b)` the left normal, `c = a px + b py`, and
+//! `s = w sqrt(a^2 + b^2)`. After moving a vertex into the origin and scaling by a power of
+//! two, `a`, `b`, `c` and `w` are integers; dividing `a`, `b`, `c` by `gcd(a, b)` keeps
+//! them small on grids. The root is the only irrational number in the plane.
+
+use dashu_int::{IBig, UBig, ops::Gcd, ops::UnsignedAbs};
+use hipline_num::{Ball, BallDd, Number, Rungs, Sign, Surd};
+use std::cell::Cell;
+
+use super::{
+    expression::Quadratic,
+    moment::{ball_root, dd_root},
+};
+use crate::input::Figure;
+
+/// A plane of the figure: the wavefront of one side of an edge, or of a terminal.
+///
+/// The last bit tells the side: 0 left, 1 right of the line that the other bits name.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub(crate) struct PlaneId(pub u32);
+
+impl std::fmt::Debug for PlaneId {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "p{}{}", self.0 >> 1, if self.0 & 1 == 0 { 'l' } else { 'r' })
+    }
+}
+
+/// `a x + b y = c + s t` in the numbers of one rung of the ladder.
+#[derive(Clone, Debug)]
+pub(crate) struct Plane<T> {
+    pub a: T,
+    pub b: T,
+    pub c: T,
+    pub s: T,
+}
+
+/// A line with coprime integer normal.
+#[derive(Debug, Clone)]
+enum Line {
+    Small { a: i64, b: i64, c: i128 },
+    Big(Box<[IBig; 3]>),
+}
+
+impl Line {
+    fn integers(&self) -> [IBig; 3] {
+        match self {
+            Self::Small { a, b, c } => [IBig::from(*a), IBig::from(*b), IBig::from(*c)],
+            Self::Big(abc) => (**abc).clone(),
+        }
+    }
+}
+
+/// The speeds of the planes, as integers over a common power of two.
+#[derive(Debug, Clone)]
+struct Speeds {
+    exact: Vec<IBig>,
+    /// Binary digits dropped in the approximations, lest they overflow.
+    shift: i32,
+}
+
+/// All planes of a figure.
+#[derive(Debug)]
+pub(crate) struct Planes {
+    lines: Vec<Line>,
+    balls: Vec<[Ball; 4]>,
+    /// `None`: every speed is one.
+    speeds: Option<Speeds>,
+    /// Binary digits of the coordinates dropped in the approximations.
+    pub shift: i32,
+    /// Coordinates are `integer * 2^unit + origin`.
+    pub unit: i32,
+    /// The vertex that became the origin.
+    pub origin: [f64; 2],
+    /// Times are `value * 2^time_unit`.
+    pub time_unit: i32,
+    /// How often each rung answered.
+    pub rungs: Cell<Rungs>,
+}
+
+/// A rung of the ladder: numbers that planes can be asked for in.
+pub(crate) trait Rung: Number {
+    /// `[a, b, c, length of the normal]` of a line.
+    fn line(planes: &Planes, line: usize) -> [Self; 4];
+    /// An integer, in the approximations without its last `shift` binary digits.
+    fn integer(value: &IBig, shift: i32) -> Self;
+    /// Encloses the root of `g0 + g1 t + g2 t^2` at which it falls; only approximations can.
+    fn falling_root(g: &Quadratic<Self>) -> Option<Self>;
+
+    /// One plane.
+    fn plane(planes: &Planes, id: PlaneId) -> Plane<Self> {
+        let [a, b, c, mut s] = Self::line(planes, (id.0 >> 1) as usize);
+        if let Some(speeds) = &planes.speeds {
+            s = s.times(&Self::integer(&speeds.exact[id.0 as usize], speeds.shift));
+        }
+        if id.0 & 1 == 0 {
+            Plane { a, b, c, s }
+        } else {
+            Plane { a: a.negated(), b: b.negated(), c: c.negated(), s }
+        }
+    }
+}
+
+impl Rung for Ball {
+    #[inline]
+    fn line(planes: &Planes, line: usize) -> [Self; 4] {
+        planes.balls[line]
+    }
+    fn falling_root(g: &Quadratic<Self>) -> Option<Self> {
+        ball_root::falling_root(g)
+    }
+    fn integer(value: &IBig, shift: i32) -> Self {
+        let ball = Self::from_int(value);
+        if shift == 0 || *value == IBig::ZERO {
+            return ball;
+        }
+        // After a shift the value need not be an integer, which error 0 would claim.
+        let error = ball.error().max(ball.value().abs() * f64::EPSILON);
+        Self::new(ball.value(), error).ldexp(-shift)
+    }
+}
+
+impl Rung for BallDd {
+    fn falling_root(g: &Quadratic<Self>) -> Option<Self> {
+        dd_root::falling_root(g)
+    }
+    fn line(planes: &Planes, line: usize) -> [Self; 4] {
+        let [a, b, c] = planes.lines[line].integers();
+        let square = IBig::from(&a * &a + &b * &b);
+        let root = match exact_root(&square.clone().unsigned_abs()) {
+            Some(root) => Self::integer(&IBig::from(root), planes.shift),
+            None => Self::integer(&square, 2 * planes.shift).sqrt(),
+        };
+        [
+            Self::integer(&a, planes.shift),
+            Self::integer(&b, planes.shift),
+            Self::integer(&c, 2 * planes.shift),
+            root,
+        ]
+    }
+    fn integer(value: &IBig, shift: i32) -> Self {
+        let ball = Self::from_int(value);
+        if shift == 0 || *value == IBig::ZERO {
+            return ball;
+        }
+        let error = ball.error().max(ball.value().abs() * f64::EPSILON * f64::EPSILON);
+        let (hi, lo) = (ball.value(), ball.low());
+        Self::new(hi, lo, error).ldexp(-shift)
+    }
+}
+
+impl Rung for Surd {
+    fn falling_root(_: &Quadratic<Self>) -> Option<Self> {
+        None
+    }
+    fn line(planes: &Planes, line: usize) -> [Self; 4] {
+        let [a, b, c] = planes.lines[line].integers();
+        let square = (&a * &a + &b * &b).unsigned_abs();
+        [Self::from_int(a), Self::from_int(b), Self::from_int(c), Self::sqrt_of(&square)]
+    }
+    fn integer(value: &IBig, _shift: i32) -> Self {
+        Self::from_int(value.clone())
+    }
+}
+
+/// The root of a perfect square.
+fn exact_root(square: &UBig) -> Option<UBig> {
+    if let Ok(small) = u128::try_from(square) {
+        // Squares end in one of twelve patterns of six bits.
+        const RESIDUES: u64 = 0x0202_0212_0203_0213;
+        if RESIDUES >> (small & 63) & 1 == 0 {
+            return None;
+        }
+        let root = small.isqrt();
+        return (root * root == small).then(|| UBig::from(root));
+    }
+    use dashu_int::ops::SquareRoot;
+    let root = square.sqrt();
+    (&root * &root == *square).then_some(root)
+}
+
+/// Mantissa and exponent, the mantissa odd or zero.
+fn parts(x: f64) -> (i64, i32) {
+    let bits = x.to_bits();
+    let exponent = ((bits >> 52) & 0x7ff) as i32;
+    let fraction = (bits & ((1 << 52) - 1)) as i64;
+    let (mantissa, exponent) =
+        if exponent == 0 { (fraction, -1074) } else { (fraction | 1 << 52, exponent - 1075) };
+    if mantissa == 0 {
+        return (0, 0);
+    }
+    let zeros = mantissa.trailing_zeros();
+    let mantissa = mantissa >> zeros;
+    (if x < 0.0 { -mantissa } else { mantissa }, exponent + zeros as i32)
+}
+
+/// The smallest exponent of the numbers, and the bit length of the largest over it.
+fn common_unit(numbers: impl Iterator<Item = f64>) -> (i32, i32) {
+    let (mut low, mut high) = (i32::MAX, i32::MIN);
+    for x in numbers {
+        let (mantissa, exponent) = parts(x);
+        if mantissa != 0 {
+            low = low.min(exponent);
+            high = high.max(exponent + 64 - mantissa.unsigned_abs().leading_zeros() as i32);
+        }
+    }
+    if low == i32::MAX { (0, 0) } else { (low, high - low) }
+}
+
+fn scaled(x: f64, unit: i32) -> IBig {
+    let (mantissa, exponent) = parts(x);
+    if mantissa == 0 { IBig::ZERO } else { IBig::from(mantissa) << (exponent - unit) as usize }
+}
+
+fn scaled_small(x: f64, unit: i32) -> i64 {
+    let (mantissa, exponent) = parts(x);
+    if mantissa == 0 { 0 } else { mantissa << (exponent - unit) }
+}
+
+fn gcd(mut a: u64, mut b: u64) -> u64 {
+    if a == 0 || b == 0 {
+        return a | b;
+    }
+    let shift = (a | b).trailing_zeros();
+    a >>= a.trailing_zeros();
+    while b != 0 {
+        b >>= b.trailing_zeros();
+        if a > b {
+            std::mem::swap(&mut a, &mut b);
+        }
+        b -= a;
+    }
+    a << shift
+}
+
+/// Coordinates with up to this many binary digits take the path of machine integers.
+const SMALL: i32 = 60;
+
+impl Planes {
+    /// The planes of a figure: line `e` is edge `e`; the lines after those are the
+    /// terminals', in order of their vertices.
+    pub(crate) fn new(figure: &Figure, terminals: &[Terminal]) -> Self {
+        let vertices = figure.vertices();
+        let (unit, bits) = common_unit(vertices.iter().flatten().copied());
+        let origin = vertices.first().copied().unwrap_or_default();
+        let shift = if bits > 53 { bits - 30 } else { 0 };
+        let mut planes = Self {
+            lines: Vec::with_capacity(figure.edges().len() + terminals.len()),
+            balls: Vec::with_capacity(figure.edges().len() + terminals.len()),
+            speeds: None,
+            shift,
+            unit,
+            origin,
+            time_unit: unit,
+            rungs: Cell::default(),
+        };
+        // With bits <= SMALL the differences have one more digit, c has 2 SMALL + 3.
+        if bits <= SMALL {
+            let origin = origin.map(|x| scaled_small(x, unit));
+            let points: Vec<[i64; 2]> = vertices
+                .iter()
+                .map(|v| [scaled_small(v[0], unit) - origin[0], scaled_small(v[1], unit) - origin[1]])
+                .collect();
+            for edge in figure.edges() {
+                let [p, q] = [points[edge.from.index()], points[edge.to.index()]];
+                planes.push_small(p[1] - q[1], q[0] - p[0], p);
+            }
+            for terminal in terminals {
+                let [p, q] = [points[terminal.inner], points[terminal.tip]];
+                planes.push_small(q[0] - p[0], q[1] - p[1], q);
+            }
+        } else {
+            let origin = origin.map(|x| scaled(x, unit));
+            let points: Vec<[IBig; 2]> = vertices
+                .iter()
+                .map(|v| [scaled(v[0], unit) - &origin[0], scaled(v[1], unit) - &origin[1]])
+                .collect();
+            for edge in figure.edges() {
+                let [p, q] = [&points[edge.from.index()], &points[edge.to.index()]];
+                planes.push_big(&p[1] - &q[1], &q[0] - &p[0], p);
+            }
+            for terminal in terminals {
+                let [p, q] = [&points[terminal.inner], &points[terminal.tip]];
+                planes.push_big(&q[0] - &p[0], &q[1] - &p[1], q);
+            }
+        }
+        planes.set_speeds(figure, terminals);
+        planes
+    }
+
+    fn set_speeds(&mut self, figure: &Figure, terminals: &[Terminal]) {
+        #[expect(clippy::float_cmp, reason = "asks for the number one itself")]
+        let plain = figure.edges().iter().all(|e| e.speeds == [1.0, 1.0]);
+        if plain {
+            return;
+        }
+        let all = || {
+            let edges = figure.edges().iter().flat_map(|e| e.speeds);
+            edges.chain(terminals.iter().flat_map(|t| [t.speed, t.speed]))
+        };
+        let (unit, bits) = common_unit(all());
+        let shift = if bits > 20 || self.shift > 0 { (bits - 10).max(0) } else { 0 };
+        self.speeds = Some(Speeds { exact: all().map(|w| scaled(w, unit)).collect(), shift });
+        self.time_unit = self.unit - unit;
+    }
+
+    fn push_small(&mut self, a: i64, b: i64, point: [i64; 2]) {
+        let g = gcd(a.unsigned_abs(), b.unsigned_abs()) as i64;
+        let (a, b) = (a / g, b / g);
+        let c = i128::from(a) * i128::from(point[0]) + i128::from(b) * i128::from(point[1]);
+        if self.shift == 0 && a.abs() < 1 << 26 && b.abs() < 1 << 26 && c.abs() < 1 << 53 {
+            let square = (a * a + b * b) as u64;
+            let root = square.isqrt();
+            #[expect(clippy::cast_precision_loss, reason = "below 2^53")]
+            let exact = |i: i64| Ball::new(i as f64, 0.0);
+            let length =
+                if root * root == square { exact(root as i64) } else { exact(square as i64).sqrt() };
+            self.balls.push([exact(a), exact(b), exact(c as i64), length]);
+            self.lines.push(Line::Small { a, b, c });
+            return;
+        }
+        self.push(Line::Small { a, b, c });
+    }
+
+    fn push_big(&mut self, a: IBig, b: IBig, point: &[IBig; 2]) {
+        let g = IBig::from((&a).gcd(&b));
+        let (a, b) = (a / &g, b / &g);
+        let c = &a * &point[0] + &b * &point[1];
+        self.push(Line::Big(Box::new([a, b, c])));
+    }
+
+    fn push(&mut self, line: Line) {
+        let [a, b, c] = line.integers();
+        let square = &a * &a + &b * &b;
+        let length = match exact_root(&square.clone().unsigned_abs()) {
+            Some(root) => Ball::integer(&IBig::from(root), self.shift),
+            None => Ball::integer(&square, 2 * self.shift).sqrt(),
+        };
+        self.balls.push([
+            Ball::integer(&a, self.shift),
+            Ball::integer(&b, self.shift),
+            Ball::integer(&c, 2 * self.shift),
+            length,
+        ]);
+        self.lines.push(line);
+    }
+
+    /// The same plane: the same line, side and speed.
+    pub(crate) fn coplanar(&self, i: PlaneId, j: PlaneId) -> bool {
+        if i == j {
+            return true;
+        }
+        if self.compare_speeds(i, j).is_ne() {
+            return false;
+        }
+        let [a, b, c] = self.lines[(i.0 >> 1) as usize].integers();
+        let [d, e, f] = self.lines[(j.0 >> 1) as usize].integers();
+        if i.0 & 1 == j.0 & 1 { a == d && b == e && c == f } else { a == -d && b == -e && c == -f }
+    }
+
+    /// Which of two planes is the faster one?
+    pub(crate) fn compare_speeds(&self, i: PlaneId, j: PlaneId) -> std::cmp::Ordering {
+        match &self.speeds {
+            None => std::cmp::Ordering::Equal,
+            Some(speeds) => speeds.exact[i.0 as usize].cmp(&speeds.exact[j.0 as usize]),
+        }
+    }
+
+    /// Binary digits of the speeds dropped in the approximations.
+    pub(crate) fn speed_shift(&self) -> i32 {
+        self.speeds.as_ref().map_or(0, |speeds| speeds.shift)
+    }
+
+    /// Whether all speeds are one, so that faces are monotone.
+    pub(crate) const fn is_unweighted(&self) -> bool {
+        self.speeds.is_none()
+    }
+
+    /// Asks one rung after the other until one answers.
+    #[inline]
+    pub(crate) fn decide<Q: Question>(&self, question: &Q) -> Sign {
+        let mut rungs = self.rungs.get();
+        if let Some(sign) = question.ask::<Ball>(self) {
+            rungs.by_f64 += 1;
+            self.rungs.set(rungs);
+            return sign;
+        }
+        self.decide_slowly(question)
+    }
+
+    #[cold]
+    fn decide_slowly<Q: Question>(&self, question: &Q) -> Sign {
+        let mut rungs = self.rungs.get();
+        let sign = if let Some(sign) = question.ask::<BallDd>(self) {
+            rungs.by_double_double += 1;
+            sign
+        } else {
+            rungs.by_exact += 1;
+            question.ask_exactly(self)
+        };
+        self.rungs.set(rungs);
+        sign
+    }
+}
+
+/// A question whose answer is a sign, to be asked of each rung in turn.
+pub(crate) trait Question {
+    /// The answer in the numbers of one rung, or `None` where it abstains.
+    fn ask<T: Rung>(&self, planes: &Planes) -> Option<Sign>;
+
+    /// The answer in exact numbers, which never abstain.
+    fn ask_exactly(&self, planes: &Planes) -> Sign {
+        self.ask::<Surd>(planes).expect("exact numbers know their sign")
+    }
+}
+
+/// A vertex of degree one.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Terminal {
+    /// The vertex.
+    pub tip: usize,
+    /// The other end of its edge.
+    pub inner: usize,
+    /// The edge.
+    pub edge: usize,
+    /// The speed of its wavefront edge: the larger of the two of its edge.
+    pub speed: f64,
+}

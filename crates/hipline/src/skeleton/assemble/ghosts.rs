@@ -1,0 +1,419 @@
+//! Ghost arcs: where neighbours on one plane were carried as one wavefront edge, their joint
+//! face is cut along the perpendicular from each place where they met, up to its boundary.
+
+use std::cmp::Ordering;
+
+use super::{Assembly, Step};
+use crate::{
+    kinetic::{End, Walk},
+    predicates::{Bound, Place, PlaneId},
+    topology::TraceId,
+};
+use hipline_num::Sign;
+
+/// Where ghost arcs end.
+#[derive(Default)]
+pub(super) struct Landings {
+    /// By trace of a ghost, ascending.
+    ghosts: Vec<Landing>,
+    /// Nodes inside of traces, in the order of the traces, from start to end.
+    cuts: Vec<(TraceId, u32)>,
+}
+
+/// The end of one ghost arc.
+struct Landing {
+    ghost: TraceId,
+    /// The node where it ends, unless it goes to infinity.
+    end: Option<u32>,
+    /// The walk of the joint face's boundary on which the end lies; the end may be the last
+    /// node of the walk. For infinity: the walk after which the boundary jumps.
+    on: Walk,
+}
+
+impl Landings {
+    /// The nodes inside of a trace.
+    pub(super) fn cuts(&self, x: TraceId) -> impl Iterator<Item = &u32> {
+        let from = self.cuts.partition_point(|&(trace, _)| trace < x);
+        self.cuts[from..].iter().take_while(move |&&(trace, _)| trace == x).map(|(_, node)| node)
+    }
+
+    /// The node where a ghost arc ends.
+    pub(super) fn end(&self, ghost: TraceId) -> Option<u32> {
+        let at = self.ghosts.binary_search_by_key(&ghost, |landing| landing.ghost);
+        self.ghosts[at.expect("every ghost lands")].end
+    }
+}
+
+/// A stretch of a joint face's boundary that bounds it from above.
+struct Ceiling {
+    walk: Walk,
+    /// Where it starts and ends (walking counterclockwise, so against the edge's
+    /// direction); `None` is infinity.
+    ends: [Option<u32>; 2],
+    /// Approximate coordinates of the ends along the edge, enlarged: high, low.
+    high: f64,
+    low: f64,
+}
+
+impl Assembly<'_> {
+    /// Finds where every ghost arc ends.
+    pub(super) fn find_landings(&mut self) -> Landings {
+        let mut groups: Vec<(u32, TraceId)> = (0..self.front.traces.len())
+            .map(TraceId::new)
+            .filter(|&x| self.front.trace(x).end == End::Ghost)
+            .map(|x| (self.front.wave(self.front.trace(x).inn).face, x))
+            .collect();
+        if groups.is_empty() {
+            return Landings::default();
+        }
+        for (face, _) in &mut groups {
+            *face = self.front.joint_face(*face);
+        }
+        groups.sort_unstable();
+        let mut members: Vec<(u32, u32)> = (0..self.front.after_base.len() as u32)
+            .map(|face| (self.front.joint_face(face), face))
+            .filter(|&(joint, _)| groups.binary_search_by_key(&joint, |g| g.0).is_ok())
+            .collect();
+        members.sort_unstable();
+        let mut found = Vec::with_capacity(groups.len());
+        for group in groups.chunk_by(|a, b| a.0 == b.0) {
+            let from = members.partition_point(|m| m.0 < group[0].0);
+            let faces: Vec<u32> =
+                members[from..].iter().take_while(|m| m.0 == group[0].0).map(|m| m.1).collect();
+            let ghosts: Vec<TraceId> = group.iter().map(|g| g.1).collect();
+            self.land_group(&faces, ghosts, &mut found);
+        }
+        self.name_ends(found)
+    }
+
+    /// The walks around the joint face of some faces, traces of length zero left out.
+    fn joint_boundary(&self, faces: &[u32]) -> Vec<Vec<Walk>> {
+        let mut done = std::collections::BTreeSet::new();
+        let mut cycles = Vec::new();
+        for &face in faces {
+            if self.front.after_base[face as usize] == Walk::Open || !done.insert(face) {
+                continue;
+            }
+            let mut cycle = vec![Walk::Base(face)];
+            let mut walk = self.front.after_base[face as usize];
+            while walk != Walk::Base(face) {
+                match walk {
+                    Walk::Up(x) | Walk::Down(x) => {
+                        let trace = self.front.trace(x);
+                        if !Self::is_void(trace) {
+                            cycle.push(walk);
+                        }
+                        walk = if walk == Walk::Up(x) { trace.after_up } else { trace.after_down };
+                    }
+                    Walk::Base(other) => {
+                        done.insert(other);
+                        cycle.push(walk);
+                        walk = self.front.after_base[other as usize];
+                    }
+                    Walk::Open => unreachable!("every walk goes on"),
+                }
+            }
+            cycles.push(cycle);
+        }
+        cycles
+    }
+
+    /// Finds the ends of all ghost arcs of one joint face.
+    fn land_group(
+        &self,
+        faces: &[u32],
+        mut ghosts: Vec<TraceId>,
+        found: &mut Vec<(TraceId, Option<Place>, Walk)>,
+    ) {
+        let plane = self.front.wave(self.front.trace(ghosts[0]).inn).plane;
+        let place = |node: u32| self.places[node as usize].as_ref().expect("a finite node");
+        // From the far end of the edge's direction to the near one.
+        ghosts.sort_by(|&x, &y| {
+            let [x, y] = [x, y].map(|g| place(self.front.trace(g).born));
+            self.planes.compare_along(y, x, plane)
+        });
+        let cycles = self.joint_boundary(faces);
+        let (ceilings, mut jumps) = self.ceilings(&cycles, plane);
+        for ghost in ghosts {
+            let born = self.front.trace(ghost).born;
+            let at = self.approximate(born, plane);
+            let mut best: Option<(Place, Walk)> = None;
+            // A face without weights is monotone: its ceilings lie side by side, from high to
+            // low, so one can stop a little after the last that comes into question.
+            let monotone = self.planes.is_unweighted();
+            let from = if monotone { ceilings.partition_point(|c| c.low > at.1) } else { 0 };
+            let mut misses = 0;
+            for ceiling in &ceilings[from..] {
+                if ceiling.high < at.0 {
+                    misses += 1;
+                    if monotone && misses > 2 {
+                        break;
+                    }
+                    continue;
+                }
+                let Some(place) = self.meet_ceiling(born, ceiling, plane) else { continue };
+                let start = self.places[born as usize].as_ref().expect("a finite node");
+                let nearer = best.as_ref().is_none_or(|(other, _)| {
+                    self.planes.compare_times(&place, other) == Ordering::Less
+                });
+                if nearer && self.planes.compare_times(&place, start).is_ge() {
+                    best = Some((place, ceiling.walk));
+                }
+            }
+            if let Some((place, walk)) = best {
+                found.push((ghost, Some(place), walk));
+            } else {
+                let jump = self.jump_over(&mut jumps, born, plane);
+                let before = std::mem::replace(jump, Walk::Up(ghost));
+                found.push((ghost, None, before));
+            }
+        }
+    }
+
+    /// The stretches of a boundary with the face below them, and the walks after which it
+    /// jumps at infinity.
+    fn ceilings(&self, cycles: &[Vec<Walk>], plane: PlaneId) -> (Vec<Ceiling>, Vec<(Walk, Walk)>) {
+        let mut list = Vec::new();
+        let mut jumps = Vec::new();
+        for cycle in cycles {
+            for (i, &walk) in cycle.iter().enumerate() {
+                let after = cycle[(i + 1) % cycle.len()];
+                let (x, up) = match walk {
+                    Walk::Up(x) => (x, true),
+                    Walk::Down(x) => (x, false),
+                    _ => continue,
+                };
+                let trace = self.front.trace(x);
+                let end = match trace.end {
+                    End::At(node) => Some(node),
+                    End::Moving => None,
+                    End::Ghost => continue,
+                };
+                if up && end.is_none() {
+                    let Walk::Down(_) = after else { unreachable!("a jump at infinity") };
+                    jumps.push((walk, after));
+                }
+                let ends = if up { [Some(trace.born), end] } else { [end, Some(trace.born)] };
+                let mut ceiling = Ceiling { walk, ends, high: f64::INFINITY, low: f64::NEG_INFINITY };
+                if let Some(node) = ends[0] {
+                    ceiling.high = self.approximate(node, plane).1;
+                }
+                if let Some(node) = ends[1] {
+                    ceiling.low = self.approximate(node, plane).0;
+                }
+                if self.is_ceiling(&ceiling, x, up, plane) {
+                    list.push(ceiling);
+                }
+            }
+        }
+        list.sort_by(|a, b| b.low.total_cmp(&a.low).then(b.high.total_cmp(&a.high)));
+        (list, jumps)
+    }
+
+    /// Whether a stretch goes strictly against the edge's direction.
+    fn is_ceiling(&self, ceiling: &Ceiling, x: TraceId, up: bool, plane: PlaneId) -> bool {
+        let place = |node: u32| self.places[node as usize].as_ref().expect("a finite node");
+        match ceiling.ends {
+            [Some(a), Some(b)] => self.planes.compare_along(place(a), place(b), plane).is_gt(),
+            _ => {
+                let drift = self.planes.drift(self.front.trace(x).pair, plane);
+                drift == if up { Sign::Negative } else { Sign::Positive }
+            }
+        }
+    }
+
+    /// Bounds of a node's coordinate along an edge: low, high.
+    #[expect(clippy::cast_precision_loss, reason = "bounds, not decisions")]
+    fn approximate(&self, node: u32, plane: PlaneId) -> (f64, f64) {
+        let place = self.places[node as usize].as_ref().expect("a finite node");
+        let [x, y, _] = self.planes.round(place);
+        let edges = self.figure.edges();
+        let line = (plane.0 / 2) as usize;
+        let edge = edges.get(line).or_else(|| {
+            // A terminal's own line is perpendicular to its edge: no direction to be had
+            // here, so no bounds.
+            None
+        });
+        let Some(edge) = edge else { return (f64::NEG_INFINITY, f64::INFINITY) };
+        let vertices = self.figure.vertices();
+        let (mut p, mut q) = (vertices[edge.from.index()], vertices[edge.to.index()]);
+        if plane.0 % 2 == 1 {
+            std::mem::swap(&mut p, &mut q);
+        }
+        let direction = [q[0] - p[0], q[1] - p[1]];
+        let terms = [x * direction[0], y * direction[1]];
+        let sum = terms[0] + terms[1];
+        // Rounded coordinates, differences, products and one sum: a handful of roundings.
+        let error = (terms[0].abs() + terms[1].abs()) * (16.0 / (1_u64 << 53) as f64);
+        (sum - error, sum + error)
+    }
+
+    /// Where the perpendicular through a node meets a ceiling, if it does.
+    fn meet_ceiling(&self, born: u32, ceiling: &Ceiling, plane: PlaneId) -> Option<Place> {
+        let place = |node: u32| self.places[node as usize].as_ref().expect("a finite node");
+        let against = |node: Option<u32>| {
+            node.map(|node| self.planes.compare_along(place(node), place(born), plane))
+        };
+        match against(ceiling.ends[1]) {
+            Some(Ordering::Greater) => return None,
+            Some(Ordering::Equal) => return ceiling.ends[1].map(|node| place(node).clone()),
+            _ => {}
+        }
+        match against(ceiling.ends[0]) {
+            Some(Ordering::Less) => return None,
+            Some(Ordering::Equal) => return ceiling.ends[0].map(|node| place(node).clone()),
+            _ => {}
+        }
+        let (Walk::Up(x) | Walk::Down(x)) = ceiling.walk else { unreachable!("a trace") };
+        let trace = self.front.trace(x);
+        let [a, b] = [trace.inn, trace.out].map(|w| self.front.wave(w).plane);
+        let bound = if self.planes.turn(a, b).is_zero() {
+            let [Some(node), _] = ceiling.ends else { unreachable!("level arcs are finite") };
+            match place(node) {
+                Place::Event { moment, .. } => Bound::Level(*moment),
+                _ => unreachable!("level arcs join events"),
+            }
+        } else {
+            Bound::Pair(trace.pair)
+        };
+        Some(Place::Foot { start: self.start_of(born), plane, bound })
+    }
+
+    /// The walk after which the boundary jumps, at infinity, over the perpendicular through
+    /// a node.
+    fn jump_over<'j>(&self, jumps: &'j mut [(Walk, Walk)], born: u32, plane: PlaneId) -> &'j mut Walk {
+        let start = self.places[born as usize].as_ref().expect("a finite node");
+        let far = |walk: Walk, sign: Ordering| {
+            let (Walk::Up(x) | Walk::Down(x)) = walk else { unreachable!("a trace") };
+            let trace = self.front.trace(x);
+            // Ghost arcs are handled in order, so one that is there lies beyond this one.
+            trace.end == End::Ghost
+                || self.planes.compare_far(trace.pair, start, plane) == sign
+        };
+        let jump = jumps
+            .iter_mut()
+            .find(|(right, left)| far(*right, Ordering::Greater) && far(*left, Ordering::Less));
+        &mut jump.unwrap_or_else(|| panic!("no way to infinity from node {born}")).0
+    }
+
+    /// Makes nodes of the ends, one for each place.
+    fn name_ends(&mut self, found: Vec<(TraceId, Option<Place>, Walk)>) -> Landings {
+        // Ends inside of traces, sorted along each trace.
+        let mut inside: Vec<(TraceId, usize)> = Vec::new();
+        for (i, (_, place, walk)) in found.iter().enumerate() {
+            let (Walk::Up(x) | Walk::Down(x)) = *walk else { unreachable!("a trace") };
+            if matches!(place, Some(Place::Foot { .. })) {
+                inside.push((x, i));
+            }
+        }
+        let foot = |i: usize| found[i].1.as_ref().expect("it has a foot");
+        let planes = self.planes;
+        inside.sort_by(|&(x, i), &(y, j)| {
+            x.cmp(&y).then_with(|| {
+                let order = planes.compare_times(foot(i), foot(j));
+                order.then_with(|| self.along_level(x, foot(i), foot(j)))
+            })
+        });
+        let mut ends = vec![None; found.len()];
+        let mut cuts: Vec<(TraceId, u32)> = Vec::new();
+        let mut last: Option<(TraceId, usize)> = None;
+        for &(x, i) in &inside {
+            let same = last.is_some_and(|(y, j)| {
+                x == y && planes.compare_points(foot(i), foot(j)).is_eq()
+            });
+            if !same {
+                self.places.push(Some(foot(i).clone()));
+                cuts.push((x, self.places.len() as u32 - 1));
+            }
+            ends[i] = Some(self.places.len() as u32 - 1);
+            last = Some((x, i));
+        }
+        let mut ghosts: Vec<Landing> = Vec::with_capacity(found.len());
+        for (i, (ghost, place, walk)) in found.into_iter().enumerate() {
+            let end = match (place, ends[i]) {
+                (None, _) => None,
+                (_, Some(node)) => Some(node),
+                // An end of the walk's trace: one of its nodes.
+                (Some(place), None) => {
+                    let (Walk::Up(x) | Walk::Down(x)) = walk else { unreachable!("a trace") };
+                    let trace = self.front.trace(x);
+                    let at_born = self.places[trace.born as usize].as_ref() == Some(&place);
+                    match trace.end {
+                        End::At(node) if !at_born => Some(node),
+                        _ => Some(trace.born),
+                    }
+                }
+            };
+            ghosts.push(Landing { ghost, end, on: walk });
+        }
+        ghosts.sort_by_key(|landing| landing.ghost);
+        Landings { ghosts, cuts }
+    }
+
+    /// The order of two places on an arc of one height, along the arc.
+    fn along_level(&self, x: TraceId, p: &Place, q: &Place) -> Ordering {
+        let trace = self.front.trace(x);
+        let End::At(end) = trace.end else { return Ordering::Equal };
+        let plane = self.front.wave(trace.inn).plane;
+        let order = self.planes.compare_along(p, q, plane);
+        let place = |node: u32| self.places[node as usize].as_ref().expect("a finite node");
+        match self.planes.compare_along(place(trace.born), place(end), plane) {
+            Ordering::Greater => order.reverse(),
+            _ => order,
+        }
+    }
+
+    /// Cuts the joint faces' boundaries along the ghost arcs.
+    pub(super) fn insert_ghosts(&mut self, landings: &Landings) {
+        // Those to infinity come in the order in which each goes before the one after it,
+        // so that the walk named by `on` is there already; finite ones do not interact but
+        // where they end in one node.
+        for landing in &landings.ghosts {
+            let Some(end) = landing.end else { continue };
+            let (Walk::Up(x) | Walk::Down(x)) = landing.on else { unreachable!("a trace") };
+            let up = landing.on == Walk::Up(x);
+            let [first, after] = self.of_trace[x.index()].map(|p| p as usize);
+            // The step of this walk that ends at the node, or the one before the walk.
+            let mut arriving = None;
+            for p in first..after {
+                let step: Step = if up { 2 * p } else { 2 * p + 1 };
+                if self.ends(step)[1] == end {
+                    arriving = Some(step);
+                }
+            }
+            let arriving = arriving.unwrap_or_else(|| {
+                let begin: Step = if up { 2 * first } else { 2 * after - 1 };
+                let mut step = begin;
+                while self.next[step] != begin {
+                    step = self.next[step];
+                }
+                step
+            });
+            self.insert(landing.ghost, arriving);
+        }
+        let mut infinite: Vec<&Landing> =
+            landings.ghosts.iter().filter(|landing| landing.end.is_none()).collect();
+        let mut placed = std::collections::BTreeSet::new();
+        while !infinite.is_empty() {
+            infinite.retain(|landing| {
+                let (Walk::Up(x) | Walk::Down(x)) = landing.on else { unreachable!("a trace") };
+                if self.front.trace(x).end == End::Ghost && !placed.contains(&x) {
+                    return true;
+                }
+                let last = self.of_trace[x.index()][1] as usize - 1;
+                self.insert(landing.ghost, 2 * last);
+                placed.insert(landing.ghost);
+                false
+            });
+        }
+    }
+
+    /// Puts a ghost arc between the step that arrives at its end and the one after that.
+    fn insert(&mut self, ghost: TraceId, arriving: Step) {
+        let piece = self.of_trace[ghost.index()][0] as usize;
+        let (up, down) = (2 * piece, 2 * piece + 1);
+        let leaving = self.next[arriving];
+        self.next[arriving] = down;
+        self.next[up] = leaving;
+    }
+}

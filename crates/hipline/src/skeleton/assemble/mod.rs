@@ -1,0 +1,369 @@
+//! From what the propagation leaves behind to nodes, arcs and faces.
+//!
+//! The traces are already linked into the boundaries of the faces ([`Walk`]). What is left:
+//! traces of length zero are skipped; ghost arcs are drawn through the faces that were swept
+//! jointly, which cuts other arcs where they end ([`ghosts`]); faces are read off, nodes are
+//! numbered and their coordinates rounded.
+
+mod ghosts;
+
+use super::{Arc, ArcKind, Face, InputGraph, Node, NodeKind, Region, Side, Skeleton, Stats};
+use crate::{
+    input::Figure,
+    kinetic::{End, Trace, Walk, Wavefront},
+    predicates::{Place, Planes, Start, Terminal},
+    topology::{EdgeId, FaceId, NodeId, TraceId, VertexId},
+};
+use hipline_num::Sign;
+
+/// One piece of a trace, between two nodes.
+#[derive(Clone, Copy, Debug)]
+struct Piece {
+    trace: TraceId,
+    from: u32,
+    to: u32,
+    kind: ArcKind,
+    faces: [u32; 2],
+}
+
+const NO_FACE: u32 = u32::MAX;
+
+/// A directed piece (`2 * piece` forward, `2 * piece + 1` backward), or the base of a face
+/// (`2 * pieces + face`).
+type Step = usize;
+
+/// The half-way house between wavefront and skeleton.
+struct Assembly<'a> {
+    figure: &'a Figure,
+    planes: &'a Planes,
+    front: Wavefront,
+    /// Where nodes are: input vertices, then events, then the ends of ghost arcs, then
+    /// nodes at infinity (which have no place).
+    places: Vec<Option<Place>>,
+    pieces: Vec<Piece>,
+    /// For each trace, its first piece and the one after its last.
+    of_trace: Vec<[u32; 2]>,
+    next: Vec<Step>,
+    base_from: usize,
+}
+
+/// Builds the skeleton.
+pub(crate) fn assemble(
+    figure: &Figure,
+    planes: &Planes,
+    terminals: &[Terminal],
+    mut front: Wavefront,
+    region: Region,
+    stats: Stats,
+) -> Skeleton {
+    let mut places: Vec<Option<Place>> =
+        figure.vertices().iter().map(|&v| Some(Place::Vertex(v))).collect();
+    places.extend(front.events.iter().map(|e| Some(Place::Event { pair: e.pair, moment: e.moment })));
+    for i in 0..front.traces.len() {
+        let born = front.node(front.traces[i].born);
+        front.traces[i].born = born;
+        if let End::At(node) = front.traces[i].end {
+            front.traces[i].end = End::At(front.node(node));
+        }
+    }
+    let mut assembly = Assembly {
+        figure,
+        planes,
+        front,
+        places,
+        pieces: Vec::new(),
+        of_trace: Vec::new(),
+        next: Vec::new(),
+        base_from: 0,
+    };
+    let landings = assembly.find_landings();
+    assembly.cut_traces(&landings);
+    assembly.link();
+    assembly.insert_ghosts(&landings);
+    assembly.finish(terminals, region, stats)
+}
+
+impl Assembly<'_> {
+    /// Whether a trace has length zero.
+    fn is_void(trace: &Trace) -> bool {
+        trace.end == End::At(trace.born)
+    }
+
+    fn start_of(&self, node: u32) -> Start {
+        match self.places[node as usize] {
+            Some(Place::Vertex(v)) => Start::Vertex(v),
+            Some(Place::Event { pair, moment }) => Start::Event { pair, moment },
+            _ => unreachable!("ghost arcs start at vertices and events"),
+        }
+    }
+
+    /// Makes the pieces of all traces.
+    fn cut_traces(&mut self, landings: &ghosts::Landings) {
+        let mut infinite = Vec::new();
+        self.pieces.reserve(self.front.traces.len());
+        self.of_trace.reserve(self.front.traces.len());
+        for i in 0..self.front.traces.len() {
+            let id = TraceId::new(i);
+            let trace = self.front.traces[i];
+            let first = self.pieces.len() as u32;
+            let kind = match trace.end {
+                End::Ghost => ArcKind::Ghost,
+                _ if trace.turn == Sign::Negative => ArcKind::Valley,
+                _ => ArcKind::Ridge,
+            };
+            if !Self::is_void(&trace) {
+                let mut from = trace.born;
+                for &to in landings.cuts(id) {
+                    self.pieces.push(Piece { trace: id, from, to, kind, faces: [NO_FACE; 2] });
+                    from = to;
+                }
+                let to = match trace.end {
+                    End::At(node) => Some(node),
+                    End::Ghost => landings.end(id),
+                    End::Moving => None,
+                };
+                let to = to.unwrap_or_else(|| {
+                    infinite.push(id);
+                    (self.places.len() + infinite.len() - 1) as u32
+                });
+                self.pieces.push(Piece { trace: id, from, to, kind, faces: [NO_FACE; 2] });
+            }
+            self.of_trace.push([first, self.pieces.len() as u32]);
+        }
+        self.places.resize(self.places.len() + infinite.len(), None);
+    }
+
+    /// The first step of a walk, skipping traces of length zero.
+    fn step(&self, mut walk: Walk) -> Step {
+        loop {
+            let x = match walk {
+                Walk::Base(face) => return self.base_from + face as usize,
+                Walk::Open => unreachable!("every walk goes on"),
+                Walk::Up(x) | Walk::Down(x) => x,
+            };
+            let [first, end] = self.of_trace[x.index()];
+            let up = walk == Walk::Up(x);
+            if first < end {
+                return if up { 2 * first as usize } else { 2 * end as usize - 1 };
+            }
+            let trace = self.front.trace(x);
+            walk = if up { trace.after_up } else { trace.after_down };
+        }
+    }
+
+    /// Links all steps into the boundaries of the (joint) faces.
+    fn link(&mut self) {
+        self.base_from = 2 * self.pieces.len();
+        let faces = self.front.after_base.len();
+        self.next = vec![usize::MAX; self.base_from + faces];
+        for i in 0..self.front.traces.len() {
+            let [first, end] = self.of_trace[i].map(|p| p as usize);
+            if first == end {
+                continue;
+            }
+            for p in first..end - 1 {
+                self.next[2 * p] = 2 * p + 2;
+                self.next[2 * p + 3] = 2 * p + 1;
+            }
+            let trace = self.front.traces[i];
+            self.next[2 * end - 2] = self.step(trace.after_up);
+            self.next[2 * first + 1] = self.step(trace.after_down);
+        }
+        for face in 0..faces {
+            if self.front.after_base[face] != Walk::Open {
+                self.next[self.base_from + face] = self.step(self.front.after_base[face]);
+            }
+        }
+    }
+
+    /// The nodes where a step starts and ends; of a base, the ends of the edge.
+    fn ends(&self, step: Step) -> [u32; 2] {
+        if step >= self.base_from {
+            let face = step - self.base_from;
+            let edges = self.figure.edges();
+            return match edges.get(face / 2) {
+                Some(edge) => {
+                    let ends = [edge.from.index() as u32, edge.to.index() as u32];
+                    if face % 2 == 0 { ends } else { [ends[1], ends[0]] }
+                }
+                None => {
+                    // A terminal: its base is the node before which the next step starts.
+                    let [node, _] = self.ends(self.next[step]);
+                    [node, node]
+                }
+            };
+        }
+        let piece = &self.pieces[step / 2];
+        if step % 2 == 0 { [piece.from, piece.to] } else { [piece.to, piece.from] }
+    }
+
+    /// Walks around the boundary that a step is on.
+    fn around(&self, first: Step) -> impl Iterator<Item = Step> + '_ {
+        let mut at = Some(first);
+        std::iter::from_fn(move || {
+            let step = at?;
+            let after = self.next[step];
+            at = (after != first).then_some(after);
+            Some(step)
+        })
+    }
+
+    /// Reads off the faces, numbers the nodes, rounds the coordinates.
+    fn finish(mut self, terminals: &[Terminal], region: Region, stats: Stats) -> Skeleton {
+        let edges = self.figure.edges();
+        // Faces by edge, then side: left, right, start, end.
+        let mut order: Vec<(u32, Side, u32)> = Vec::with_capacity(self.front.after_base.len());
+        for face in 0..self.front.after_base.len() as u32 {
+            if self.front.after_base[face as usize] == Walk::Open {
+                continue;
+            }
+            order.push(match terminals.get((face as usize).wrapping_sub(2 * edges.len())) {
+                Some(terminal) => {
+                    let first = edges[terminal.edge].from.index() == terminal.tip;
+                    (terminal.edge as u32, if first { Side::Start } else { Side::End }, face)
+                }
+                None => (face / 2, if face % 2 == 0 { Side::Left } else { Side::Right }, face),
+            });
+        }
+        order.sort_unstable();
+        let mut number = vec![NO_FACE; self.front.after_base.len()];
+        for (i, &(_, _, face)) in order.iter().enumerate() {
+            number[face as usize] = i as u32;
+        }
+        let mut seen = vec![false; self.next.len()];
+        let mut faces = Vec::with_capacity(order.len());
+        let mut cycles = vec![0_u32];
+        let mut corners: Vec<u32> = Vec::with_capacity(3 * self.pieces.len());
+        let mut inner = self.inner_cycles(&order, &mut seen);
+        for &(edge, side, face) in &order {
+            let first = cycles.len() as u32 - 1;
+            self.read_cycle(self.base_from + face as usize, number[face as usize], &mut corners);
+            cycles.push(corners.len() as u32);
+            for start in inner.remove(&face).unwrap_or_default() {
+                self.read_cycle(start, number[face as usize], &mut corners);
+                cycles.push(corners.len() as u32);
+            }
+            faces.push(Face {
+                edge: EdgeId::new(edge as usize),
+                side,
+                cycles: [first, cycles.len() as u32 - 1],
+            });
+        }
+        let (nodes, number) = self.number_nodes();
+        let name = |node: u32| NodeId::new(number[node as usize] as usize);
+        Skeleton {
+            nodes,
+            arcs: self
+                .pieces
+                .iter()
+                .map(|piece| Arc {
+                    nodes: [name(piece.from), name(piece.to)],
+                    faces: piece.faces.map(|face| FaceId::new(face as usize)),
+                    kind: piece.kind,
+                })
+                .collect(),
+            faces,
+            cycles,
+            corners: corners.into_iter().map(name).collect(),
+            input: InputGraph {
+                vertices: self.figure.vertices().len(),
+                edges: edges.iter().map(|edge| [edge.from, edge.to]).collect(),
+                terminals: terminals.len(),
+            },
+            region,
+            stats,
+        }
+    }
+
+    /// Boundaries that no base is on, by the face they belong to.
+    fn inner_cycles(
+        &mut self,
+        order: &[(u32, Side, u32)],
+        seen: &mut [bool],
+    ) -> std::collections::BTreeMap<u32, Vec<Step>> {
+        for &(_, _, face) in order {
+            for step in self.around(self.base_from + face as usize) {
+                seen[step] = true;
+            }
+        }
+        let mut inner = std::collections::BTreeMap::<u32, Vec<Step>>::new();
+        for step in 0..self.base_from {
+            if seen[step] {
+                continue;
+            }
+            for other in self.around(step) {
+                seen[other] = true;
+            }
+            let trace = *self.front.trace(self.pieces[step / 2].trace);
+            let wave = if step % 2 == 0 { trace.inn } else { trace.out };
+            inner.entry(self.front.wave(wave).face).or_default().push(step);
+        }
+        inner
+    }
+
+    /// Appends the corners along a boundary, and tells its arcs their face.
+    fn read_cycle(&mut self, first: Step, face: u32, corners: &mut Vec<u32>) {
+        let begin = corners.len();
+        let mut step = first;
+        loop {
+            for node in self.ends(step) {
+                if corners.len() == begin || corners.last() != Some(&node) {
+                    corners.push(node);
+                }
+            }
+            if step < self.base_from {
+                self.pieces[step / 2].faces[step % 2] = face;
+            }
+            step = self.next[step];
+            if step == first {
+                break;
+            }
+        }
+        while corners.len() > begin + 1 && corners.last() == Some(&corners[begin]) {
+            corners.pop();
+        }
+    }
+
+    /// Numbers the nodes that arcs end at (and all input vertices), and rounds them.
+    fn number_nodes(&self) -> (Vec<Node>, Vec<u32>) {
+        const UNUSED: u32 = u32::MAX;
+        let vertices = self.figure.vertices().len();
+        let mut number = vec![UNUSED; self.places.len()];
+        let mut nodes: Vec<Node> = Vec::with_capacity(self.places.len());
+        for (v, &[x, y]) in self.figure.vertices().iter().enumerate() {
+            number[v] = v as u32;
+            nodes.push(Node { x, y, time: 0.0, kind: NodeKind::Input(VertexId::new(v)) });
+        }
+        for piece in &self.pieces {
+            for node in [piece.from, piece.to] {
+                if number[node as usize] != UNUSED {
+                    continue;
+                }
+                number[node as usize] = nodes.len() as u32;
+                nodes.push(match &self.places[node as usize] {
+                    Some(place) => {
+                        let [x, y, time] = self.planes.round(place);
+                        Node { x, y, time, kind: NodeKind::Event }
+                    }
+                    None => {
+                        let from = nodes[number[piece.from as usize] as usize];
+                        let direction = self.velocity(piece.trace);
+                        Node { time: f64::INFINITY, kind: NodeKind::Infinite { direction }, ..from }
+                    }
+                });
+            }
+        }
+        debug_assert!(number[..vertices].iter().all(|&n| n != UNUSED), "vertices come first");
+        (nodes, number)
+    }
+
+    /// The velocity of a trace.
+    fn velocity(&self, x: TraceId) -> [f64; 2] {
+        let trace = self.front.trace(x);
+        if trace.end == End::Ghost {
+            self.planes.round_normal_velocity(self.front.wave(trace.inn).plane)
+        } else {
+            self.planes.round_velocity(trace.pair)
+        }
+    }
+}
