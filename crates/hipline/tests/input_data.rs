@@ -15,7 +15,12 @@ fn folder() -> Option<PathBuf> {
 }
 
 fn list<T>(value: &Value, convert: impl FnMut(&Value) -> T) -> Vec<T> {
-    value.as_array().expect("an array").iter().map(convert).collect()
+    value
+        .as_array()
+        .expect("an array")
+        .iter()
+        .map(convert)
+        .collect()
 }
 
 fn point(value: &Value) -> [f64; 2] {
@@ -29,16 +34,26 @@ fn rings(value: &Value) -> Vec<Vec<[f64; 2]>> {
 /// The points of a well-known text, in brackets of any depth: all that the four cases that
 /// GeoJSON cannot carry need.
 fn rings_of_text(text: &str) -> Vec<Vec<[f64; 2]>> {
-    let Some(start) = text.find('(') else { return Vec::new() };
+    let Some(start) = text.find('(') else {
+        return Vec::new();
+    };
     let ring = |ring: &str| -> Vec<[f64; 2]> {
         let number = |number: &str| number.parse().expect("a number");
         let pair = |pair: &str| -> [f64; 2] {
             let mut numbers = pair.split_whitespace().map(number);
             [numbers.next().expect("x"), numbers.next().expect("y")]
         };
-        ring.split(',').filter(|pair| !pair.trim().is_empty()).map(pair).collect()
+        ring.split(',')
+            .filter(|pair| !pair.trim().is_empty())
+            .map(pair)
+            .collect()
     };
-    text[start..].split('(').map(|ring| ring.trim_matches([')', ' ', ','])).filter(|ring| !ring.is_empty()).map(ring).collect()
+    text[start..]
+        .split('(')
+        .map(|ring| ring.trim_matches([')', ' ', ',']))
+        .filter(|ring| !ring.is_empty())
+        .map(ring)
+        .collect()
 }
 
 fn build(feature: &Value) -> Result<Figure, InvalidFigure> {
@@ -48,12 +63,18 @@ fn build(feature: &Value) -> Result<Figure, InvalidFigure> {
     let coordinates = &geometry["coordinates"];
     match geometry["type"].as_str() {
         None => {
-            builder.polygon(rings_of_text(properties["raw_wkt"].as_str().expect("either a geometry or its text")));
+            builder.polygon(rings_of_text(
+                properties["raw_wkt"]
+                    .as_str()
+                    .expect("either a geometry or its text"),
+            ));
         }
         Some("Polygon") => {
             let weights = &properties["edge_weights"];
             if weights.is_array() {
-                let speeds = list(weights, |ring| list(ring, |weight| weight.as_f64().expect("a number")));
+                let speeds = list(weights, |ring| {
+                    list(ring, |weight| weight.as_f64().expect("a number"))
+                });
                 builder.weighted_polygon(rings(coordinates), speeds);
             } else {
                 builder.polygon(rings(coordinates));
@@ -79,7 +100,10 @@ fn the_shared_cases_are_judged_as_they_expect() {
     let mut files: Vec<PathBuf> = std::fs::read_dir(folder)
         .expect("the folder can be read")
         .map(|entry| entry.expect("the folder can be read").path())
-        .filter(|path| path.extension().is_some_and(|extension| extension == "geojson"))
+        .filter(|path| {
+            path.extension()
+                .is_some_and(|extension| extension == "geojson")
+        })
         .collect();
     files.sort();
     let mut table: BTreeMap<String, [usize; 2]> = BTreeMap::new();
@@ -100,14 +124,19 @@ fn the_shared_cases_are_judged_as_they_expect() {
                 _ => {
                     let outcome = match &result {
                         Ok(_) => "accepted".to_owned(),
-                        Err(invalid) => format!("{} flaws, {}", invalid.flaws.len(), invalid.flaws[0]),
+                        Err(invalid) => {
+                            format!("{} flaws, {}", invalid.flaws.len(), invalid.flaws[0])
+                        }
                     };
                     println!("{expect:32} {id:50} {outcome}");
                     true
                 }
             };
             if !fits {
-                wrong.push(format!("{id} expects {expect}: {}", result.map_or_else(|e| e.to_string(), |_| "accepted".to_owned())));
+                wrong.push(format!(
+                    "{id} expects {expect}: {}",
+                    result.map_or_else(|e| e.to_string(), |_| "accepted".to_owned())
+                ));
             }
         }
     }

@@ -12,7 +12,10 @@ struct Random(u64);
 
 impl Random {
     fn below(&mut self, limit: u64) -> u64 {
-        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        self.0 = self
+            .0
+            .wrapping_mul(6_364_136_223_846_793_005)
+            .wrapping_add(1_442_695_040_888_963_407);
         (self.0 >> 33) % limit
     }
 
@@ -52,7 +55,9 @@ fn oracle(segments: &[[Point; 2]]) -> Vec<Pair> {
                 }
             } else if orient(a, b, c) * orient(a, b, d) < 0
                 && orient(c, d, a) * orient(c, d, b) < 0
-                && !vertices.iter().any(|&v| within(v, [a, b]) && within(v, [c, d]))
+                && !vertices
+                    .iter()
+                    .any(|&v| within(v, [a, b]) && within(v, [c, d]))
             {
                 pairs.push(Pair::Cross(i, j));
             }
@@ -84,10 +89,13 @@ fn graph(segments: &[[Point; 2]]) -> (Vec<[f64; 2]>, Vec<[usize; 2]>) {
         .iter()
         .map(|ends| {
             ends.map(|end| {
-                points.iter().position(|&point| point == end).unwrap_or_else(|| {
-                    points.push(end);
-                    points.len() - 1
-                })
+                points
+                    .iter()
+                    .position(|&point| point == end)
+                    .unwrap_or_else(|| {
+                        points.push(end);
+                        points.len() - 1
+                    })
             })
         })
         .collect();
@@ -98,14 +106,27 @@ fn graph(segments: &[[Point; 2]]) -> (Vec<[f64; 2]>, Vec<[usize; 2]>) {
 /// the vertices on it. (Debug builds check the triangulation itself in `build`.)
 fn check_split(segments: &[[Point; 2]], figure: &hipline::Figure) {
     let exact = |v: hipline::topology::VertexId| figure.vertices()[v.index()].map(|x| x as i64);
-    let vertices: Vec<Point> = (0..figure.vertices().len()).map(|v| exact(hipline::topology::VertexId::new(v))).collect();
+    let vertices: Vec<Point> = (0..figure.vertices().len())
+        .map(|v| exact(hipline::topology::VertexId::new(v)))
+        .collect();
     for (number, &segment) in segments.iter().enumerate() {
-        let parts: Vec<_> = figure.edges().iter().filter(|edge| edge.source.edge as usize == number).collect();
+        let parts: Vec<_> = figure
+            .edges()
+            .iter()
+            .filter(|edge| edge.source.edge as usize == number)
+            .collect();
         let within = vertices.iter().filter(|&&v| within(v, segment)).count();
         assert_eq!(parts.len(), within + 1);
         let mut at = segment[0];
         for part in parts {
-            assert_eq!(part.source, Source { part: 0, ring: 0, edge: number as u32 });
+            assert_eq!(
+                part.source,
+                Source {
+                    part: 0,
+                    ring: 0,
+                    edge: number as u32
+                }
+            );
             assert_eq!(exact(part.from), at);
             at = exact(part.to);
         }
@@ -121,7 +142,12 @@ fn segments_are_accepted_exactly_if_none_cross_or_overlap() {
         let grid = 2 + random.below(9);
         let count = 1 + random.below(if round % 4 == 0 { 14 } else { 6 });
         let segments: Vec<[Point; 2]> = (0..count)
-            .map(|_| [random.point(grid), random.point(if round % 7 == 0 { 1 + grid / 3 } else { grid })])
+            .map(|_| {
+                [
+                    random.point(grid),
+                    random.point(if round % 7 == 0 { 1 + grid / 3 } else { grid }),
+                ]
+            })
             .filter(|[a, b]| a != b)
             .collect();
         if segments.is_empty() {
@@ -140,7 +166,10 @@ fn segments_are_accepted_exactly_if_none_cross_or_overlap() {
             Err(invalid) => assert_eq!(expected, pairs(&invalid), "round {round}: {segments:?}"),
         }
     }
-    assert!((2_000..18_000).contains(&accepted), "{accepted} of 20,000 rounds were valid");
+    assert!(
+        (2_000..18_000).contains(&accepted),
+        "{accepted} of 20,000 rounds were valid"
+    );
 }
 
 #[test]
@@ -154,7 +183,10 @@ fn segments_on_one_line_are_accepted_exactly_if_none_overlap() {
             let at = random.below(16) as i64 - 5;
             direction.map(|x: i64| x * at + 1)
         };
-        let segments: Vec<[Point; 2]> = (0..count).map(|_| [on_line(), on_line()]).filter(|[a, b]| a != b).collect();
+        let segments: Vec<[Point; 2]> = (0..count)
+            .map(|_| [on_line(), on_line()])
+            .filter(|[a, b]| a != b)
+            .collect();
         if segments.is_empty() {
             continue;
         }
@@ -202,17 +234,25 @@ fn rings_are_nested_as_sampling_says() {
         let grid = 3 + random.below(3);
         let two_polygons = round % 2 == 0;
         let rings: Vec<Vec<Point>> = (0..1 + usize::from(round % 5 != 0))
-            .map(|_| (0..3 + random.below(if round % 3 == 0 { 5 } else { 2 })).map(|_| random.point(grid)).collect())
+            .map(|_| {
+                (0..3 + random.below(if round % 3 == 0 { 5 } else { 2 }))
+                    .map(|_| random.point(grid))
+                    .collect()
+            })
             .collect();
         let sides = |ring: &Vec<Point>| -> Vec<[Point; 2]> {
-            (0..ring.len()).map(|i| [ring[i], ring[(i + 1) % ring.len()]]).collect()
+            (0..ring.len())
+                .map(|i| [ring[i], ring[(i + 1) % ring.len()]])
+                .collect()
         };
         let segments: Vec<[Point; 2]> = rings.iter().flat_map(sides).collect();
         if segments.iter().any(|[a, b]| a == b) || !oracle(&segments).is_empty() {
             continue;
         }
         let mut builder = FigureBuilder::new();
-        let floats = rings.iter().map(|ring| ring.iter().copied().map(float).collect());
+        let floats = rings
+            .iter()
+            .map(|ring| ring.iter().copied().map(float).collect());
         if two_polygons {
             floats.for_each(|ring: Vec<[f64; 2]>| {
                 builder.polygon(vec![ring]);
@@ -224,7 +264,13 @@ fn rings_are_nested_as_sampling_says() {
         let size = 2 * K * grid as i64;
         let samples: Vec<usize> = (0..size * size)
             .map(|i| [i % size - K, i / size - K].map(|x| x | 1))
-            .map(|at| rings.iter().enumerate().map(|(r, ring)| usize::from(parity(ring, at)) << r).sum())
+            .map(|at| {
+                rings
+                    .iter()
+                    .enumerate()
+                    .map(|(r, ring)| usize::from(parity(ring, at)) << r)
+                    .sum()
+            })
             .collect();
         samples.iter().for_each(|&rings| combinations[rings] += 1);
         let nested = if rings.len() == 1 {
@@ -240,14 +286,23 @@ fn rings_are_nested_as_sampling_says() {
                 accepted += 1;
             }
             Err(invalid) => {
-                let split = invalid.flaws.iter().all(|flaw| matches!(flaw, Flaw::InteriorDisconnected { .. }));
+                let split = invalid
+                    .flaws
+                    .iter()
+                    .all(|flaw| matches!(flaw, Flaw::InteriorDisconnected { .. }));
                 assert_eq!(nested, split, "round {round}: {rings:?} {invalid}");
                 if !split {
-                    assert!(invalid.flaws.len() <= rings.len(), "round {round}: {rings:?} {invalid}");
+                    assert!(
+                        invalid.flaws.len() <= rings.len(),
+                        "round {round}: {rings:?} {invalid}"
+                    );
                 }
                 refused += 1;
             }
         }
     }
-    assert!(accepted > 500 && refused > 500, "{accepted} accepted, {refused} refused");
+    assert!(
+        accepted > 500 && refused > 500,
+        "{accepted} accepted, {refused} refused"
+    );
 }

@@ -33,11 +33,17 @@ pub(super) fn convert(cdt: &Cdt, order: &[u32], owners: &[u32]) -> Mesh {
     for face in cdt.inner_faces() {
         let edges: [Handle<'_>; 3] = face.adjacent_edges();
         mesh.corners.push(edges.map(|edge| name(edge.from())));
-        let [a, b, c] = edges.map(|edge| MeshEdge { edge: owner(edge.fix()), neighbour: triangle(edge.rev()) });
+        let [a, b, c] = edges.map(|edge| MeshEdge {
+            edge: owner(edge.fix()),
+            neighbour: triangle(edge.rev()),
+        });
         // Edge a runs from corner 0 to corner 1: it is opposite corner 2.
         mesh.across.push([b, c, a]);
     }
-    let start = cdt.outer_face().adjacent_edge().expect("a triangulation has a hull");
+    let start = cdt
+        .outer_face()
+        .adjacent_edge()
+        .expect("a triangulation has a hull");
     let mut edge = start;
     loop {
         let inner = triangle(edge.rev());
@@ -48,7 +54,14 @@ pub(super) fn convert(cdt: &Cdt, order: &[u32], owners: &[u32]) -> Mesh {
         let opposite = (0..3).find(|&k| corners[k] != from && corners[k] != to);
         let opposite = opposite.expect("a triangle has a third corner");
         mesh.across[inner as usize][opposite].neighbour = MeshEdge::HULL + mesh.hull.len() as u32;
-        mesh.hull.push(HullEdge { from, to, across: MeshEdge { edge: owner(edge.fix()), neighbour: inner } });
+        mesh.hull.push(HullEdge {
+            from,
+            to,
+            across: MeshEdge {
+                edge: owner(edge.fix()),
+                neighbour: inner,
+            },
+        });
         edge = edge.next();
         if edge == start {
             break;

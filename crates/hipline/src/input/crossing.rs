@@ -19,15 +19,28 @@ use super::{
 ///
 /// # Panics
 /// If there is none: then the triangulation rejected an edge for no reason.
-pub(super) fn report(vertices: &[[f64; 2]], edges: &[Edge], scale: Scale, conflicts: Conflicts, flaws: &mut Vec<Flaw>) {
-    let segments = Segments { vertices, edges, scale };
+pub(super) fn report(
+    vertices: &[[f64; 2]],
+    edges: &[Edge],
+    scale: Scale,
+    conflicts: Conflicts,
+    flaws: &mut Vec<Flaw>,
+) {
+    let segments = Segments {
+        vertices,
+        edges,
+        scale,
+    };
     let (mut pairs, more) = match conflicts {
         Conflicts::Collinear(overlaps) => (overlaps.pairs, overlaps.more),
         Conflicts::Crossed(crossed) => segments.pairs(&crossed),
     };
     pairs.sort_unstable();
     pairs.dedup();
-    assert!(!pairs.is_empty(), "an edge was rejected that crosses no other");
+    assert!(
+        !pairs.is_empty(),
+        "an edge was rejected that crosses no other"
+    );
     flaws.extend(pairs.into_iter().map(|pair| segments.flaw(pair)));
     if more > 0 {
         flaws.push(Flaw::MorePairs { at_least: more });
@@ -56,7 +69,8 @@ impl Segments<'_> {
     }
 
     fn ends(&self, edge: u32) -> [Coord<f64>; 2] {
-        self.points(edge).map(|point| coord(self.scale.apply(point)))
+        self.points(edge)
+            .map(|point| coord(self.scale.apply(point)))
     }
 
     /// All pairs, and how many more there are at the least.
@@ -135,7 +149,9 @@ impl Segments<'_> {
             .collect();
         boxes.sort_unstable_by(|a, b| a.0[0].total_cmp(&b.0[0]).then(a.1.cmp(&b.1)));
         for (i, &([_, right, bottom, top], k)) in boxes.iter().enumerate() {
-            let beside = boxes[i + 1..].iter().take_while(|other| other.0[0] <= right);
+            let beside = boxes[i + 1..]
+                .iter()
+                .take_while(|other| other.0[0] <= right);
             for &([_, _, low, high], l) in beside {
                 if low > top || high < bottom || pairs.len() >= limit {
                     continue;
@@ -159,7 +175,11 @@ impl Segments<'_> {
         let [c_side, d_side] = [orient2d(a, b, c), orient2d(a, b, d)];
         if c_side == 0.0 && d_side == 0.0 {
             let [from, to] = self.shared(one, other);
-            return if from < to { Meeting::Overlap } else { Meeting::Nothing };
+            return if from < to {
+                Meeting::Overlap
+            } else {
+                Meeting::Nothing
+            };
         }
         let apart = |s: f64, t: f64| s > 0.0 && t < 0.0 || s < 0.0 && t > 0.0;
         if apart(c_side, d_side) && apart(orient2d(c, d, a), orient2d(c, d, b)) {
@@ -180,19 +200,35 @@ impl Segments<'_> {
     fn flaw(&self, [one, other]: [u32; 2]) -> Flaw {
         let [first, second] = [one, other].map(|edge| {
             let source = self.edges[edge as usize].source;
-            Place { part: source.part as usize, ring: source.ring as usize, index: source.edge as usize }
+            Place {
+                part: source.part as usize,
+                ring: source.ring as usize,
+                index: source.edge as usize,
+            }
         });
         if self.meeting(one, other) == Meeting::Overlap {
             let [from, to] = self.shared(one, other);
-            return Flaw::EdgesOverlap { first, second, from, to };
+            return Flaw::EdgesOverlap {
+                first,
+                second,
+                from,
+                to,
+            };
         }
         let [a, b] = self.ends(one);
         let [c, d] = self.ends(other);
         let [before, after] = [orient2d(c, d, a), orient2d(c, d, b)];
         let share = before / (before - after);
         let [[ax, ay], [bx, by]] = self.points(one);
-        let near = [ax * (1.0 - share) + bx * share, ay * (1.0 - share) + by * share];
-        Flaw::EdgesCross { first, second, near }
+        let near = [
+            ax * (1.0 - share) + bx * share,
+            ay * (1.0 - share) + by * share,
+        ];
+        Flaw::EdgesCross {
+            first,
+            second,
+            near,
+        }
     }
 }
 

@@ -19,7 +19,9 @@ const UNKNOWN: u32 = u32::MAX;
 /// Fills in [`Mesh::inside`] by counting rings (even-odd), and reports rings that are
 /// nested wrongly and polygons whose inside is disconnected.
 pub(super) fn fill(vertices: &[[f64; 2]], edges: &[Edge], mesh: &mut Mesh, flaws: &mut Vec<Flaw>) {
-    let Some(rings) = Rings::of(edges) else { return };
+    let Some(rings) = Rings::of(edges) else {
+        return;
+    };
     let mut nesting = Nesting {
         vertices,
         edges,
@@ -43,7 +45,12 @@ struct Rings {
 impl Rings {
     /// None if there is no ring.
     fn of(edges: &[Edge]) -> Option<Self> {
-        let on_ring = || edges.iter().filter(|edge| edge.on_ring).map(|edge| edge.source);
+        let on_ring = || {
+            edges
+                .iter()
+                .filter(|edge| edge.on_ring)
+                .map(|edge| edge.source)
+        };
         let last = on_ring().map(|source| source.part).max()?;
         let mut counts = vec![0; last as usize + 1];
         for source in on_ring() {
@@ -62,7 +69,8 @@ impl Rings {
     /// The ring of an edge of the figure, unless it is an edge of a line or none at all.
     fn across(&self, edges: &[Edge], edge: Option<u32>) -> Option<u32> {
         let edge = &edges[edge? as usize];
-        edge.on_ring.then(|| self.first[edge.source.part as usize] + edge.source.ring)
+        edge.on_ring
+            .then(|| self.first[edge.source.part as usize] + edge.source.ring)
     }
 }
 
@@ -85,7 +93,10 @@ struct Nesting<'a> {
 
 impl Nesting<'_> {
     fn flood(&mut self, mesh: &mut Mesh) -> Regions {
-        let mut regions = Regions { of: vec![UNKNOWN; mesh.corners.len()], states: vec![OUTSIDE] };
+        let mut regions = Regions {
+            of: vec![UNKNOWN; mesh.corners.len()],
+            states: vec![OUTSIDE],
+        };
         // Triangles of the region at hand that are to be looked at.
         let mut open = Vec::new();
         // Triangles across a ring, with their states and whether they are inside.
@@ -112,7 +123,8 @@ impl Nesting<'_> {
             while let Some(triangle) = open.pop() {
                 mesh.inside[triangle as usize] = inside;
                 for MeshEdge { edge, neighbour } in mesh.across[triangle as usize] {
-                    let unknown = neighbour < MeshEdge::HULL && regions.of[neighbour as usize] == UNKNOWN;
+                    let unknown =
+                        neighbour < MeshEdge::HULL && regions.of[neighbour as usize] == UNKNOWN;
                     match self.rings.across(self.edges, edge) {
                         Some(ring) => {
                             // Also where the other side is known: it must be known the same.
@@ -129,7 +141,9 @@ impl Nesting<'_> {
                     }
                 }
             }
-            let Some((start, state, parity)) = beyond.pop() else { return regions };
+            let Some((start, state, parity)) = beyond.pop() else {
+                return regions;
+            };
             if regions.of[start as usize] == UNKNOWN {
                 region = regions.states.len() as u32;
                 inside = parity;
@@ -168,7 +182,11 @@ impl Nesting<'_> {
     fn enter(&mut self, state: u32, ring: u32, edge: u32, certainly_not: bool) {
         let [part, number] = self.rings.names[ring as usize];
         let Edge { from, source, .. } = self.edges[edge as usize];
-        let place = Place { part: source.part as usize, ring: source.ring as usize, index: source.edge as usize };
+        let place = Place {
+            part: source.part as usize,
+            ring: source.ring as usize,
+            index: source.edge as usize,
+        };
         let point = self.vertices[from.index()];
         let around = (state != OUTSIDE).then(|| self.rings.names[state as usize - 1]);
         let (blamed, flaw) = match (around, number) {
@@ -180,16 +198,38 @@ impl Nesting<'_> {
             (Some([outer, 0]), 1..) if outer == part && !certainly_not => return,
             (Some([outer, (1..)]), 0) if outer != part && !certainly_not => return,
             (Some([outer, hole @ (1..)]), 1..) if outer == part => {
-                let outer = Place { part: part as usize, ring: hole as usize, index: 0 };
-                (ring, Flaw::HoleInHole { inner: place, outer, point })
+                let outer = Place {
+                    part: part as usize,
+                    ring: hole as usize,
+                    index: 0,
+                };
+                (
+                    ring,
+                    Flaw::HoleInHole {
+                        inner: place,
+                        outer,
+                        point,
+                    },
+                )
             }
             // A shell inside its own hole.
             (Some([outer, hole @ (1..)]), 0) if outer == part => {
-                let hole = Place { part: part as usize, ring: hole as usize, index: 0 };
+                let hole = Place {
+                    part: part as usize,
+                    ring: hole as usize,
+                    index: 0,
+                };
                 (state - 1, Flaw::HoleOutsideShell { hole, point })
             }
             (Some(_), 1..) => (ring, Flaw::HoleOutsideShell { hole: place, point }),
-            (Some([other, _]), 0) => (ring, Flaw::ShellsOverlap { ring: place, other: other as usize, point }),
+            (Some([other, _]), 0) => (
+                ring,
+                Flaw::ShellsOverlap {
+                    ring: place,
+                    other: other as usize,
+                    point,
+                },
+            ),
         };
         if !std::mem::replace(&mut self.flawed[blamed as usize], true) {
             self.flaws.push(flaw);
@@ -206,7 +246,11 @@ impl Nesting<'_> {
             let state = ring + 1;
             if number == 0 && pieces[state] > 1 && self.part_is_nested(part) {
                 let places = self.touching(part, state as u32, mesh, regions);
-                self.flaws.push(Flaw::InteriorDisconnected { part: part as usize, pieces: pieces[state], places });
+                self.flaws.push(Flaw::InteriorDisconnected {
+                    part: part as usize,
+                    pieces: pieces[state],
+                    places,
+                });
             }
         }
     }
@@ -214,11 +258,20 @@ impl Nesting<'_> {
     fn part_is_nested(&self, part: u32) -> bool {
         let first = self.rings.first[part as usize] as usize;
         let mut rings = self.rings.names[first..].iter().zip(&self.flawed[first..]);
-        rings.by_ref().take_while(|([other, _], _)| *other == part).all(|(_, flawed)| !flawed)
+        rings
+            .by_ref()
+            .take_while(|([other, _], _)| *other == part)
+            .all(|(_, flawed)| !flawed)
     }
 
     /// The vertices at which two regions of the same state touch.
-    fn touching(&self, part: u32, state: u32, mesh: &Mesh, regions: &Regions) -> Vec<(Place, [f64; 2])> {
+    fn touching(
+        &self,
+        part: u32,
+        state: u32,
+        mesh: &Mesh,
+        regions: &Regions,
+    ) -> Vec<(Place, [f64; 2])> {
         let mut first_region = HashMap::new();
         let mut touching = HashMap::new();
         for (corners, &region) in mesh.corners.iter().zip(&regions.of) {
@@ -233,9 +286,17 @@ impl Nesting<'_> {
         // The first parts of split edges come before the other parts and start where the
         // caller's edges start, so the first edge found gives the caller's name.
         let mut places = Vec::new();
-        for Edge { from, source, .. } in self.edges.iter().filter(|edge| edge.on_ring && edge.source.part == part) {
+        for Edge { from, source, .. } in self
+            .edges
+            .iter()
+            .filter(|edge| edge.on_ring && edge.source.part == part)
+        {
             if touching.remove(&(from.index() as u32)).is_some() {
-                let place = Place { part: part as usize, ring: source.ring as usize, index: source.edge as usize };
+                let place = Place {
+                    part: part as usize,
+                    ring: source.ring as usize,
+                    index: source.edge as usize,
+                };
                 places.push((place, self.vertices[from.index()]));
             }
         }

@@ -11,16 +11,12 @@ use spade::{
     handles::FixedVertexHandle,
 };
 
-use super::{
-    Edge, Mesh, collinear,
-    convert::convert,
-    order::insertion_order,
-    range::Scale,
-};
+use super::{Edge, Mesh, collinear, convert::convert, order::insertion_order, range::Scale};
 use crate::topology::VertexId;
 
 /// Spade's triangulation with the least data on it.
-pub(super) type Cdt = ConstrainedDelaunayTriangulation<Point2<f64>, (), (), (), LastUsedVertexHintGenerator>;
+pub(super) type Cdt =
+    ConstrainedDelaunayTriangulation<Point2<f64>, (), (), (), LastUsedVertexHintGenerator>;
 
 /// No edge of the figure.
 pub(super) const NONE: u32 = u32::MAX;
@@ -52,7 +48,11 @@ pub(super) struct Crossed {
 ///
 /// # Errors
 /// If any two edges cross or overlap; then no edge is split.
-pub(super) fn triangulate(vertices: &[[f64; 2]], edges: &mut Vec<Edge>, scale: Scale) -> Result<Mesh, Conflicts> {
+pub(super) fn triangulate(
+    vertices: &[[f64; 2]],
+    edges: &mut Vec<Edge>,
+    scale: Scale,
+) -> Result<Mesh, Conflicts> {
     let points = |vertex: u32| scale.apply(vertices[vertex as usize]);
     let mut order = insertion_order(vertices);
     // Spade is slow as long as all vertices are on one line, so begin with a triangle.
@@ -66,7 +66,9 @@ pub(super) fn triangulate(vertices: &[[f64; 2]], edges: &mut Vec<Edge>, scale: S
     let mut handles = vec![FixedVertexHandle::from_index(0); count];
     for &vertex in &order {
         let [x, y] = points(vertex);
-        handles[vertex as usize] = cdt.insert(Point2::new(x, y)).expect("scaled coordinates are in spade's range");
+        handles[vertex as usize] = cdt
+            .insert(Point2::new(x, y))
+            .expect("scaled coordinates are in spade's range");
     }
     debug_assert_eq!(cdt.num_vertices(), count, "vertices are distinct");
 
@@ -93,15 +95,28 @@ pub(super) fn triangulate(vertices: &[[f64; 2]], edges: &mut Vec<Edge>, scale: S
         }
     }
     if !(rejected.is_empty() && extras.is_empty()) {
-        return Err(Conflicts::Crossed(Box::new(Crossed { cdt, handles, owners, extras, rejected })));
+        return Err(Conflicts::Crossed(Box::new(Crossed {
+            cdt,
+            handles,
+            owners,
+            extras,
+            rejected,
+        })));
     }
     drop(handles);
 
     for (index, pieces) in split {
         let whole = edges[index];
         for (k, piece) in pieces.into_iter().enumerate() {
-            let ends = cdt.directed_edge(piece).vertices().map(|end| VertexId::new(order[end.index()] as usize));
-            let part = Edge { from: ends[0], to: ends[1], ..whole };
+            let ends = cdt
+                .directed_edge(piece)
+                .vertices()
+                .map(|end| VertexId::new(order[end.index()] as usize));
+            let part = Edge {
+                from: ends[0],
+                to: ends[1],
+                ..whole
+            };
             if k == 0 {
                 edges[index] = part;
             } else {
@@ -115,7 +130,9 @@ pub(super) fn triangulate(vertices: &[[f64; 2]], edges: &mut Vec<Edge>, scale: S
 
 /// The position in the order of the first vertex that is not on the line of the first two.
 fn first_off_line(order: &[u32], points: impl Fn(u32) -> [f64; 2]) -> Option<usize> {
-    let [first, second, ..] = *order else { return None };
+    let [first, second, ..] = *order else {
+        return None;
+    };
     let [first, second] = [first, second].map(|vertex| coord(points(vertex)));
     (2..order.len()).find(|&k| robust::orient2d(first, second, coord(points(order[k]))) != 0.0)
 }
