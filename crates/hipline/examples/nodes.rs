@@ -4,8 +4,9 @@ fn main() {
     let mut b = FigureBuilder::new();
     for a in std::env::args().skip(1) {
         let (poly, a) = a.strip_prefix("P").map_or((false, a.as_str()), |s| (true, s));
+        let (a, w) = a.split_once('|').map_or((a, None), |(a, w)| (a, Some(w)));
         let pts: Vec<[f64; 2]> = a.split(';').map(|p| { let mut i = p.split(',').map(|x| x.trim().parse().unwrap()); [i.next().unwrap(), i.next().unwrap()] }).collect();
-        if poly { b.polygon(vec![pts]); } else { b.polyline(pts); }
+        if let Some(w) = w { b.weighted_polygon(vec![pts], vec![w.split(',').map(|x| x.parse().unwrap()).collect()]); } else if poly { b.polygon(vec![pts]); } else { b.polyline(pts); }
     }
     let f = b.build().unwrap();
     let s = f.skeleton(Options::default().region(Region::Both));

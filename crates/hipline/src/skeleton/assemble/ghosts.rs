@@ -156,7 +156,7 @@ impl Assembly<'_> {
                 let nearer = best.as_ref().is_none_or(|(other, _)| {
                     self.planes.compare_times(&place, other) == Ordering::Less
                 });
-                if nearer && self.planes.compare_times(&place, start).is_ge() {
+                if nearer && self.planes.compare_times(&place, start).is_gt() {
                     best = Some((place, ceiling.walk));
                 }
             }
