@@ -147,6 +147,7 @@ impl Kinetic<'_> {
         if self.known_same(u, v) {
             return Ordering::Equal;
         }
+
         self.planes.compare_places(&self.now, self.front.trace(u).pair, self.front.trace(v).pair)
     }
 

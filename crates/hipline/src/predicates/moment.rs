@@ -318,15 +318,20 @@ impl Planes {
     /// Whether the vertex is ahead of the plane at the moment (zero: on it).
     #[inline]
     pub(crate) fn lead(&self, moment: &Moment, vertex: [PlaneId; 2], plane: PlaneId) -> Sign {
-        if vertex.contains(&plane) {
+        if vertex.contains(&plane) || *moment == Moment::of_planes([vertex[0], vertex[1], plane]) {
             return Sign::Zero;
         }
         self.sign_at(moment, &Lead(vertex, plane))
     }
 
+    /// Whether two vertices are at one place: each plane of one passes through the other.
+    fn coincide(&self, moment: &Moment, u: [PlaneId; 2], v: [PlaneId; 2]) -> bool {
+        u.iter().all(|&plane| self.lead(moment, v, plane).is_zero())
+    }
+
     /// Compares the places of two vertices at a moment by x, then y.
     pub(crate) fn compare_places(&self, moment: &Moment, u: [PlaneId; 2], v: [PlaneId; 2]) -> Ordering {
-        if u == v {
+        if self.coincide(moment, u, v) {
             return Ordering::Equal;
         }
         self.compare_coordinate(moment, u, v, false)
