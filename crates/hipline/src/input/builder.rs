@@ -1,10 +1,43 @@
 //! From polygons, polylines and graphs to a checked figure.
 
-use super::{Figure, InvalidFigure};
+use super::{Figure, Flaw, InvalidFigure, crossing, gather, nesting, range::Scale, triangulate};
 
 /// Collects polygons, polylines and graphs, then checks them all at once.
+///
+/// What is legal:
+///
+/// * Rings of either orientation; what is inside is decided by counting (even-odd), and
+///   edges keep the direction in which they were given.
+/// * Several polygons, also one inside the hole of another.
+/// * Rings and lines that touch in points: equal vertices become one, and a vertex on the
+///   inside of an edge splits that edge. Only a polygon whose inside falls into several
+///   pieces that way is refused.
+/// * Lines and graphs anywhere, inside and outside of polygons, as long as no two edges
+///   cross or overlap.
+///
+/// ```
+/// use hipline::FigureBuilder;
+///
+/// let mut builder = FigureBuilder::new();
+/// builder.polygon(vec![vec![[0., 0.], [8., 0.], [8., 6.], [0., 6.]]]);
+/// builder.polyline(vec![[2., 3.], [6., 3.]]);
+/// let figure = builder.build()?;
+/// assert_eq!(figure.edges().len(), 5);
+/// assert_eq!(figure.terminals(), 2);
+/// # Ok::<(), hipline::InvalidFigure>(())
+/// ```
 #[derive(Debug, Clone, Default)]
-pub struct FigureBuilder {}
+pub struct FigureBuilder {
+    parts: Vec<Part>,
+}
+
+/// What one call to the builder added.
+#[derive(Debug, Clone)]
+pub(super) enum Part {
+    Polygon { rings: Vec<Vec<[f64; 2]>>, speeds: Option<Vec<Vec<f64>>> },
+    Line { points: Vec<[f64; 2]>, speeds: Option<Vec<[f64; 2]>> },
+    Graph { vertices: Vec<[f64; 2]>, edges: Vec<[usize; 2]>, speeds: Option<Vec<[f64; 2]>> },
+}
 
 impl FigureBuilder {
     /// An empty builder.
@@ -13,48 +46,97 @@ impl FigureBuilder {
         Self::default()
     }
 
+    fn push(&mut self, part: Part) -> usize {
+        self.parts.push(part);
+        self.parts.len() - 1
+    }
+
     /// Adds a polygon: its shell, then its holes, each a list of `[x, y]`; a last point equal to
     /// the first is dropped; either orientation. Returns the number of the part.
     pub fn polygon(&mut self, rings: Vec<Vec<[f64; 2]>>) -> usize {
-        let _ = rings;
-        0
+        self.push(Part::Polygon { rings, speeds: None })
     }
 
     /// Adds a polygon with a speed for each edge, ring by ring; an edge's speed holds on both sides.
     pub fn weighted_polygon(&mut self, rings: Vec<Vec<[f64; 2]>>, speeds: Vec<Vec<f64>>) -> usize {
-        let _ = (rings, speeds);
-        0
+        self.push(Part::Polygon { rings, speeds: Some(speeds) })
     }
 
     /// Adds a polyline (closed if its last point equals its first).
     pub fn polyline(&mut self, points: Vec<[f64; 2]>) -> usize {
-        let _ = points;
-        0
+        self.push(Part::Line { points, speeds: None })
     }
 
     /// Adds a polyline with `[left, right]` speeds for each edge.
     pub fn weighted_polyline(&mut self, points: Vec<[f64; 2]>, speeds: Vec<[f64; 2]>) -> usize {
-        let _ = (points, speeds);
-        0
+        self.push(Part::Line { points, speeds: Some(speeds) })
     }
 
     /// Adds a graph: vertices, and edges as pairs of vertex numbers.
     pub fn graph(&mut self, vertices: Vec<[f64; 2]>, edges: Vec<[usize; 2]>) -> usize {
-        let _ = (vertices, edges);
-        0
+        self.push(Part::Graph { vertices, edges, speeds: None })
     }
 
     /// Adds a graph with `[left, right]` speeds for each edge.
     pub fn weighted_graph(&mut self, vertices: Vec<[f64; 2]>, edges: Vec<[usize; 2]>, speeds: Vec<[f64; 2]>) -> usize {
-        let _ = (vertices, edges, speeds);
-        0
+        self.push(Part::Graph { vertices, edges, speeds: Some(speeds) })
     }
 
     /// Checks everything and builds the figure.
     ///
+    /// # Complexity
+    /// O(n log n) expected for n vertices; an input with crossing edges costs more, by the
+    /// number of crossings, of which at most [`InvalidFigure::MAX_PAIRS`] are looked for.
+    ///
     /// # Errors
-    /// Every [`Flaw`](super::Flaw) of the input, in the caller's own numbering.
+    /// Every [`Flaw`] of the input, in the caller's own numbering.
     pub fn build(self) -> Result<Figure, InvalidFigure> {
-        todo!()
+        let mut gathered = gather::gather(&self.parts);
+        let mut flaws = std::mem::take(&mut gathered.flaws);
+        if gathered.edges.is_empty() {
+            if flaws.is_empty() {
+                flaws.push(Flaw::Empty);
+            }
+            return Err(InvalidFigure { flaws });
+        }
+        let scale = match Scale::of(&gathered.vertices, &self.parts) {
+            Ok(scale) => scale,
+            Err(mut range) => {
+                flaws.append(&mut range);
+                return Err(InvalidFigure { flaws });
+            }
+        };
+        drop(self.parts);
+        let vertices = gathered.vertices;
+        let mut edges = gathered.edges;
+        let triangulation = triangulate::triangulate(&vertices, &mut edges, scale);
+        let mut mesh = match triangulation {
+            Ok(mesh) => mesh,
+            Err(conflicts) => {
+                crossing::report(&vertices, &edges, scale, conflicts, &mut flaws);
+                return Err(InvalidFigure { flaws });
+            }
+        };
+        nesting::fill(&vertices, &edges, &mut mesh, &mut flaws);
+        if !flaws.is_empty() {
+            return Err(InvalidFigure { flaws });
+        }
+        #[cfg(debug_assertions)]
+        if let Err(broken) = mesh.check(&vertices, &edges, scale) {
+            panic!("the triangulation is wrong: {broken}");
+        }
+        let mut degrees = vec![0_u8; vertices.len()];
+        for edge in &edges {
+            for end in [edge.from, edge.to] {
+                degrees[end.index()] = degrees[end.index()].saturating_add(1);
+            }
+        }
+        Ok(Figure {
+            terminals: degrees.iter().filter(|&&degree| degree == 1).count(),
+            has_polygon: edges.iter().any(|edge| edge.on_ring),
+            vertices,
+            edges,
+            mesh,
+        })
     }
 }

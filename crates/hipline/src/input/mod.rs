@@ -6,10 +6,20 @@
 //! numbering. Whatever takes a `&Figure` can trust it.
 
 mod builder;
+#[cfg(any(test, debug_assertions))]
+mod check;
+mod collinear;
+mod convert;
+mod crossing;
 mod figure;
 mod flaw;
+mod gather;
 mod mesh;
+mod nesting;
+mod order;
 mod polygon;
+mod range;
+mod triangulate;
 
 pub use builder::FigureBuilder;
 pub use figure::{Edge, Figure, Source};
