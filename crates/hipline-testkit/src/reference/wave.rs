@@ -187,8 +187,9 @@ impl<'a> Wave<'a> {
     }
 
     /// Of all pairs of parallel neighbours of different speed, the one with the fastest edge:
-    /// the link before the corner, and the faster link. Equal speeds: the lower face goes first,
-    /// backwards before forwards.
+    /// the link before the corner, and the faster link. Of equally fast edges, those go first
+    /// that overrun the edge after them (the unswept side on their left). A slow edge between
+    /// two equally fast ones thus falls to the one before it.
     fn next_overrun(&self, links: &[Link]) -> Option<(usize, usize)> {
         let faces = &self.model.faces;
         let mut best: Option<(usize, usize)> = None;
@@ -200,7 +201,7 @@ impl<'a> Wave<'a> {
             let fast = if i.speed > j.speed { l } else { link.next };
             let key = |(before, fast): (usize, usize)| {
                 let face = links[fast].face;
-                (&faces[face].speed, std::cmp::Reverse(face), before != fast)
+                (&faces[face].speed, before == fast, std::cmp::Reverse(face))
             };
             if best.is_none_or(|best| key((l, fast)) > key(best)) {
                 best = Some((l, fast));
