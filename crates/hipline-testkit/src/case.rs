@@ -87,13 +87,19 @@ impl Part {
     /// A polygon without weights.
     #[must_use]
     pub const fn polygon(rings: Vec<Points>) -> Self {
-        Self::Polygon { rings, speeds: Vec::new() }
+        Self::Polygon {
+            rings,
+            speeds: Vec::new(),
+        }
     }
 
     /// A line without weights.
     #[must_use]
     pub const fn line(points: Points) -> Self {
-        Self::Line { points, speeds: Vec::new() }
+        Self::Line {
+            points,
+            speeds: Vec::new(),
+        }
     }
 
     /// All points.
@@ -111,7 +117,10 @@ impl Case {
     /// A case without weights, of polygons.
     #[must_use]
     pub fn of(parts: Vec<Part>) -> Self {
-        Self { parts, ..Self::default() }
+        Self {
+            parts,
+            ..Self::default()
+        }
     }
 
     /// The number of points given.
@@ -144,8 +153,16 @@ impl Case {
                 Part::Polygon { rings, speeds } => builder.weighted_polygon(rings, speeds),
                 Part::Line { points, speeds } if speeds.is_empty() => builder.polyline(points),
                 Part::Line { points, speeds } => builder.weighted_polyline(points, speeds),
-                Part::Graph { vertices, edges, speeds } if speeds.is_empty() => builder.graph(vertices, edges),
-                Part::Graph { vertices, edges, speeds } => builder.weighted_graph(vertices, edges, speeds),
+                Part::Graph {
+                    vertices,
+                    edges,
+                    speeds,
+                } if speeds.is_empty() => builder.graph(vertices, edges),
+                Part::Graph {
+                    vertices,
+                    edges,
+                    speeds,
+                } => builder.weighted_graph(vertices, edges, speeds),
             };
         }
         builder
@@ -167,7 +184,9 @@ impl Case {
             let space = if items.is_empty() { "" } else { " " };
             writeln!(text, "{word}{space}{}", items.join(", ")).expect("memory");
         };
-        self.comments.iter().for_each(|comment| line("#", vec![comment.clone()]));
+        self.comments
+            .iter()
+            .for_each(|comment| line("#", vec![comment.clone()]));
         match self.region {
             Region::Auto => {}
             Region::Interior => line("region interior", Vec::new()),
@@ -186,7 +205,9 @@ impl Case {
                     }
                 }
                 Part::Line { points, .. } => line("line", pairs(points)),
-                Part::Graph { vertices, edges, .. } => {
+                Part::Graph {
+                    vertices, edges, ..
+                } => {
                     line("graph", Vec::new());
                     line("vertices", pairs(vertices));
                     line("edges", pairs(edges));
@@ -208,17 +229,24 @@ impl Case {
     pub fn parse(text: &str) -> Result<Self, ParseError> {
         let mut case = Self::default();
         for (index, content) in text.lines().enumerate() {
-            case.read_line(content.trim()).map_err(|reason| ParseError { line: index + 1, reason })?;
+            case.read_line(content.trim())
+                .map_err(|reason| ParseError {
+                    line: index + 1,
+                    reason,
+                })?;
         }
         Ok(case)
     }
 
     fn read_line(&mut self, content: &str) -> Result<(), &'static str> {
-        let (word, rest) = content.split_once(char::is_whitespace).unwrap_or((content, ""));
+        let (word, rest) = content
+            .split_once(char::is_whitespace)
+            .unwrap_or((content, ""));
         match (word, self.parts.last_mut()) {
             ("", _) => {}
             (word, _) if word.starts_with('#') => {
-                self.comments.push(content.trim_start_matches('#').trim().to_owned());
+                self.comments
+                    .push(content.trim_start_matches('#').trim().to_owned());
             }
             ("region", _) => {
                 self.region = match rest.trim() {
@@ -232,7 +260,11 @@ impl Case {
             ("polygon", _) => self.parts.push(Part::polygon(Vec::new())),
             ("line", _) => self.parts.push(Part::line(read_pairs(rest)?)),
             ("graph", _) => {
-                self.parts.push(Part::Graph { vertices: Vec::new(), edges: Vec::new(), speeds: Vec::new() });
+                self.parts.push(Part::Graph {
+                    vertices: Vec::new(),
+                    edges: Vec::new(),
+                    speeds: Vec::new(),
+                });
             }
             ("ring", Some(Part::Polygon { rings, .. })) => rings.push(read_pairs(rest)?),
             ("speeds", Some(Part::Polygon { rings, speeds })) => {
@@ -242,7 +274,9 @@ impl Case {
                 let read = rest.split(',').map(|speed| speed.trim().parse());
                 speeds.push(read.collect::<Result<_, _>>().map_err(|_| "not a number")?);
             }
-            ("speeds", Some(Part::Line { speeds, .. } | Part::Graph { speeds, .. })) => *speeds = read_pairs(rest)?,
+            ("speeds", Some(Part::Line { speeds, .. } | Part::Graph { speeds, .. })) => {
+                *speeds = read_pairs(rest)?
+            }
             ("vertices", Some(Part::Graph { vertices, .. })) => *vertices = read_pairs(rest)?,
             ("edges", Some(Part::Graph { edges, .. })) => *edges = read_pairs(rest)?,
             _ => return Err("unknown word, or in the wrong place"),
@@ -275,9 +309,24 @@ mod tests {
         let text = "# odd numbers\nregion both\npolygon\nring 0 0, 8.1 0, 8 1e-30\nspeeds 1, 2, 0.5\n\
                     line 9 0, 9 5, 12 -5\nspeeds 1 1, 0.5 2\ngraph\nvertices 20 0, 22 0, 21 3\nedges 0 1, 1 2\n";
         let case = Case::parse(text).expect("it is well-formed");
-        assert_eq!(Case::parse(&case.to_text()), Ok(case.clone()), "text of {case:?}");
-        assert_eq!((case.size(), case.is_weighted(), case.parts.len()), (9, true, 3), "{case:?}");
-        let error = ParseError { line: 2, reason: "not a pair of numbers" };
-        assert_eq!(Case::parse("polygon\nring 0 0, 1\n"), Err(error), "half a point");
+        assert_eq!(
+            Case::parse(&case.to_text()),
+            Ok(case.clone()),
+            "text of {case:?}"
+        );
+        assert_eq!(
+            (case.size(), case.is_weighted(), case.parts.len()),
+            (9, true, 3),
+            "{case:?}"
+        );
+        let error = ParseError {
+            line: 2,
+            reason: "not a pair of numbers",
+        };
+        assert_eq!(
+            Case::parse("polygon\nring 0 0, 1\n"),
+            Err(error),
+            "half a point"
+        );
     }
 }

@@ -20,7 +20,12 @@ fn point(value: &Value) -> [f64; 2] {
 }
 
 fn points(value: &Value) -> Vec<[f64; 2]> {
-    let mut points: Vec<[f64; 2]> = value.as_array().expect("points").iter().map(point).collect();
+    let mut points: Vec<[f64; 2]> = value
+        .as_array()
+        .expect("points")
+        .iter()
+        .map(point)
+        .collect();
     points.dedup();
     points
 }
@@ -50,16 +55,24 @@ fn graph(feature: &Value) -> Graph {
         for (r, ring) in rings.iter().enumerate() {
             let mut ring = points(ring);
             ring.pop();
-            let speeds: Vec<f64> =
-                weights[r].as_array().into_iter().flatten().map(|w| w.as_f64().expect("a weight")).collect();
+            let speeds: Vec<f64> = weights[r]
+                .as_array()
+                .into_iter()
+                .flatten()
+                .map(|w| w.as_f64().expect("a weight"))
+                .collect();
             graph.ring(&ring, &speeds);
         }
     };
     match shape["type"].as_str().expect("a type") {
         "Polygon" => polygon(coordinates),
-        "MultiPolygon" => coordinates.iter().for_each(|rings| polygon(rings.as_array().expect("rings"))),
+        "MultiPolygon" => coordinates
+            .iter()
+            .for_each(|rings| polygon(rings.as_array().expect("rings"))),
         "LineString" => graph.line(&points(&shape["coordinates"]), &[]),
-        "MultiLineString" => coordinates.iter().for_each(|line| graph.line(&points(line), &[])),
+        "MultiLineString" => coordinates
+            .iter()
+            .for_each(|line| graph.line(&points(line), &[])),
         other => panic!("no graph from a {other}"),
     }
     graph
@@ -68,9 +81,14 @@ fn graph(feature: &Value) -> Graph {
 /// Nodes of one list that are near to none of the other.
 fn unmatched(these: &[[f64; 3]], those: &[[f64; 3]], tolerance: f64) -> Vec<[f64; 3]> {
     // Far away nodes, of nearly parallel edges, are ill-conditioned in the other program.
-    let near = |a: &[f64; 3], b: &[f64; 3]| (0..3).all(|k| (a[k] - b[k]).abs() <= tolerance + 1e-5 * a[2]);
+    let near =
+        |a: &[f64; 3], b: &[f64; 3]| (0..3).all(|k| (a[k] - b[k]).abs() <= tolerance + 1e-5 * a[2]);
     let far = |a: &[f64; 3]| a[2] > 1e12 * tolerance;
-    these.iter().filter(|a| !far(a) && !those.iter().any(|b| near(a, b))).copied().collect()
+    these
+        .iter()
+        .filter(|a| !far(a) && !those.iter().any(|b| near(a, b)))
+        .copied()
+        .collect()
 }
 
 #[test]
@@ -79,18 +97,24 @@ fn agrees_with_another_program() {
         println!("skipped: no data from the field here");
         return;
     };
-    let most: usize = std::env::var("HIPLINE_FIELD_VERTICES").ok().and_then(|n| n.parse().ok()).unwrap_or(10);
+    let most: usize = std::env::var("HIPLINE_FIELD_VERTICES")
+        .ok()
+        .and_then(|n| n.parse().ok())
+        .unwrap_or(10);
     let (mut tried, mut wrong) = (0, Vec::new());
     let mut slowest = (std::time::Duration::ZERO, String::new());
-    let mut files: Vec<PathBuf> =
-        fs::read_dir(folder.join("expected")).expect("a folder").map(|entry| entry.expect("a file").path()).collect();
+    let mut files: Vec<PathBuf> = fs::read_dir(folder.join("expected"))
+        .expect("a folder")
+        .map(|entry| entry.expect("a file").path())
+        .collect();
     files.sort();
     for file in files {
         let name = file.file_stem().expect("a name").to_str().expect("text");
         if std::env::var("HIPLINE_FIELD_FILE").is_ok_and(|only| only != name) {
             continue;
         }
-        let text = fs::read_to_string(folder.join(format!("{name}.geojson"))).expect("a collection");
+        let text =
+            fs::read_to_string(folder.join(format!("{name}.geojson"))).expect("a collection");
         let collection: Value = serde_json::from_str(&text).expect("GeoJSON");
         let features: HashMap<&str, &Value> = collection["features"]
             .as_array()
@@ -129,12 +153,22 @@ fn agrees_with_another_program() {
                 .iter()
                 .map(|node| [0, 1, 2].map(|k| node[k].as_f64().expect("a number")))
                 .collect();
-            let size = graph.vertices.iter().flatten().fold((f64::MAX, f64::MIN), |(lo, hi), &x| (lo.min(x), hi.max(x)));
+            let size = graph
+                .vertices
+                .iter()
+                .flatten()
+                .fold((f64::MAX, f64::MIN), |(lo, hi), &x| (lo.min(x), hi.max(x)));
             let largest = size.0.abs().max(size.1.abs());
             let tolerance = 1e-6 * (size.1 - size.0).min(largest);
-            let (extra, missing) = (unmatched(&ours, &theirs, tolerance), unmatched(&theirs, &ours, tolerance));
+            let (extra, missing) = (
+                unmatched(&ours, &theirs, tolerance),
+                unmatched(&theirs, &ours, tolerance),
+            );
             if !extra.is_empty() || !missing.is_empty() {
-                wrong.push(format!("{id}: n {} extra {extra:?} missing {missing:?}", graph.vertices.len()));
+                wrong.push(format!(
+                    "{id}: n {} extra {extra:?} missing {missing:?}",
+                    graph.vertices.len()
+                ));
             }
         }
     }

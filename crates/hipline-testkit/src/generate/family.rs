@@ -100,7 +100,11 @@ impl Family {
         let parts = match self {
             Self::Random => vec![ring(shaken(random, n))],
             Self::Orthogonal => vec![ring(orthogonal(random, n))],
-            Self::Star => vec![ring((0..n).map(|i| at_angle(i, n, 300.0 + 700.0 * random.unit())).collect())],
+            Self::Star => vec![ring(
+                (0..n)
+                    .map(|i| at_angle(i, n, 300.0 + 700.0 * random.unit()))
+                    .collect(),
+            )],
             Self::Coast => vec![ring(coast(random, n))],
             Self::Skyline => vec![ring(skyline(random, n))],
             Self::Monotone => vec![ring(monotone(random, n))],
@@ -115,7 +119,10 @@ impl Family {
             Self::Windows => vec![windows(n)],
         };
         let comments = vec![format!("{}, n = {n}, seed {seed}", self.name())];
-        Case { comments, ..Case::of(parts) }
+        Case {
+            comments,
+            ..Case::of(parts)
+        }
     }
 }
 
@@ -142,7 +149,10 @@ fn shaken(random: &mut Random, n: usize) -> Points {
 fn orthogonal(random: &mut Random, n: usize) -> Points {
     // A bit more than half of the points on the walk are corners.
     let grid = around_tree(random, root((n * 9 / 20).max(4)));
-    without_runs(&grid).iter().map(|p| p.map(|x| x as f64)).collect()
+    without_runs(&grid)
+        .iter()
+        .map(|p| p.map(|x| x as f64))
+        .collect()
 }
 
 fn coast(random: &mut Random, n: usize) -> Points {
@@ -174,7 +184,11 @@ fn skyline(random: &mut Random, n: usize) -> Points {
             height += 1;
         }
         last = height;
-        let left = if tower == 0 { 0.0 } else { (4 * tower) as f64 + (random.below(8) as f64 - 4.0) / 4.0 };
+        let left = if tower == 0 {
+            0.0
+        } else {
+            (4 * tower) as f64 + (random.below(8) as f64 - 4.0) / 4.0
+        };
         let right = points[points.len() - 1][0];
         points.extend([[right, height as f64], [left, height as f64]]);
     }
@@ -188,7 +202,11 @@ fn monotone(random: &mut Random, n: usize) -> Points {
     let upper = (1..=n - below).rev().map(|i| (i, 1.0));
     let point = |(i, sign): (usize, f64)| {
         let count = if sign < 0.0 { below } else { n - below + 1 };
-        let x = if sign < 0.0 { width(i, count) } else { width(i, count) + 0.25 * 1000.0 / count as f64 };
+        let x = if sign < 0.0 {
+            width(i, count)
+        } else {
+            width(i, count) + 0.25 * 1000.0 / count as f64
+        };
         [x, sign * (1.0 + 50.0 * random.unit())]
     };
     lower.chain(upper).map(point).collect()
@@ -224,7 +242,10 @@ fn comb(n: usize) -> Points {
     let teeth = (n - 2) / 2;
     let mut points = vec![[0.0, -4.0], [2.0 * teeth as f64, -4.0]];
     for tooth in (0..teeth).rev() {
-        points.extend([[2.0 * tooth as f64 + 2.0, 0.0], [2.0 * tooth as f64 + 1.0, 6.0]]);
+        points.extend([
+            [2.0 * tooth as f64 + 2.0, 0.0],
+            [2.0 * tooth as f64 + 1.0, 6.0],
+        ]);
     }
     points.push([0.0, 0.0]);
     points
@@ -256,7 +277,12 @@ fn with_holes(n: usize, mut hole: impl FnMut(f64, f64) -> Points) -> Part {
 }
 
 fn square(x: f64, y: f64) -> Points {
-    vec![[x + 1.0, y + 1.0], [x + 1.0, y + 3.0], [x + 3.0, y + 3.0], [x + 3.0, y + 1.0]]
+    vec![
+        [x + 1.0, y + 1.0],
+        [x + 1.0, y + 3.0],
+        [x + 3.0, y + 3.0],
+        [x + 3.0, y + 1.0],
+    ]
 }
 
 fn hole(random: &mut Random, x: f64, y: f64) -> Points {
@@ -285,8 +311,16 @@ fn segments(random: &mut Random, n: usize) -> Vec<Part> {
 
 fn windows(n: usize) -> Part {
     let side = root(n);
-    let vertices = (0..side * side).map(|i| [(i % side) as f64, (i / side) as f64]).collect();
-    let across = (0..side * side).filter(|i| i % side + 1 < side).map(|i| [i, i + 1]);
+    let vertices = (0..side * side)
+        .map(|i| [(i % side) as f64, (i / side) as f64])
+        .collect();
+    let across = (0..side * side)
+        .filter(|i| i % side + 1 < side)
+        .map(|i| [i, i + 1]);
     let up = (0..side * (side - 1)).map(|i| [i, i + side]);
-    Part::Graph { vertices, edges: across.chain(up).collect(), speeds: Vec::new() }
+    Part::Graph {
+        vertices,
+        edges: across.chain(up).collect(),
+        speeds: Vec::new(),
+    }
 }

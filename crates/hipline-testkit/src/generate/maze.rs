@@ -13,35 +13,37 @@ const STEPS: [[i64; 2]; 4] = [[1, 0], [0, 1], [-1, 0], [0, -1]];
 pub(super) fn around_tree(random: &mut Random, s: usize) -> Vec<[i64; 2]> {
     let joins = spanning_tree(random, s);
     let joined = |x: i64, y: i64, direction: usize| joins[y as usize * s + x as usize][direction];
-    // Walk with the tree on the left: from the lower left corner of cell (0, 0) to the right.
-    let (mut at, mut direction) = ([0_i64, 0_i64], 0);
+    // Walk with the tree on the left, from the lower left corner of cell (0, 0).
+    let mut at = [0_i64, 0_i64];
     let mut ring = Vec::with_capacity(4 * s * s);
     loop {
         ring.push(at);
-        // The cell on the left of the walk; its own arm to the right blocks the straight way.
-        let cell = at.map(|x| x / 2);
-        direction = turn(at, cell, direction, &joined);
-        at = [at[0] + STEPS[direction][0], at[1] + STEPS[direction][1]];
+        let [dx, dy] = STEPS[turn(at, &joined)];
+        at = [at[0] + dx, at[1] + dy];
         if at == [0, 0] {
             return ring;
         }
     }
 }
 
-/// Which way the walk leaves a point: as far to the right as the tree asks for.
-fn turn(at: [i64; 2], cell: [i64; 2], arrived: usize, joined: &impl Fn(i64, i64, usize) -> bool) -> usize {
-    // The corner of its cell: 0 lower left, 1 lower right, 2 upper right, 3 upper left. From corner
-    // k the walk goes in direction k within the cell, or, where the tree leaves the cell on the
-    // far right of that, in direction k - 1 along the arm into the next cell.
+/// Which way the walk leaves a point.
+///
+/// The corners of a cell count from the lower left, counterclockwise. From corner k the walk goes
+/// in direction k within the cell; but where the tree leaves the cell on the right of that, it
+/// follows the tree in direction k - 1 to the next cell.
+fn turn(at: [i64; 2], joined: &impl Fn(i64, i64, usize) -> bool) -> usize {
     let corner = match [at[0] % 2, at[1] % 2] {
         [0, 0] => 0,
         [1, 0] => 1,
         [1, 1] => 2,
         _ => 3,
     };
-    let _ = arrived;
     let arm = (corner + 3) % 4;
-    if joined(cell[0], cell[1], arm) { arm } else { corner }
+    if joined(at[0] / 2, at[1] / 2, arm) {
+        arm
+    } else {
+        corner
+    }
 }
 
 /// For each cell, in which directions the tree goes on.
@@ -101,7 +103,11 @@ mod tests {
             let mut sorted = ring.clone();
             sorted.sort_unstable();
             sorted.dedup();
-            assert_eq!((ring.len(), sorted.len()), (4 * s * s, 4 * s * s), "s = {s}, seed {seed}");
+            assert_eq!(
+                (ring.len(), sorted.len()),
+                (4 * s * s, 4 * s * s),
+                "s = {s}, seed {seed}"
+            );
         }
     }
 }

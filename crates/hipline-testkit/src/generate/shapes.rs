@@ -31,25 +31,76 @@ fn upright(random: &mut Random) -> Vec<Point> {
     let (a, b, c, e, f, g) = (d(), d(), d(), d(), d(), d());
     match random.below(8) {
         0 => vec![[0, 0], [a, 0], [a, b], [0, b]],
-        1 => vec![[0, 0], [a + b, 0], [a + b, c], [a, c], [a, c + e], [0, c + e]],
-        2 => vec![[0, 0], [a, 0], [a, b], [a + c, b], [a + c, b + e], [-f, b + e], [-f, b], [0, b]],
+        1 => vec![
+            [0, 0],
+            [a + b, 0],
+            [a + b, c],
+            [a, c],
+            [a, c + e],
+            [0, c + e],
+        ],
+        2 => vec![
+            [0, 0],
+            [a, 0],
+            [a, b],
+            [a + c, b],
+            [a + c, b + e],
+            [-f, b + e],
+            [-f, b],
+            [0, b],
+        ],
         3 => {
             let (w, h) = (a + b + c, e + f);
-            vec![[0, 0], [w, 0], [w, h], [a + b, h], [a + b, f], [a, f], [a, e + g], [0, e + g]]
-                .into_iter()
-                .map(|[x, y]: Point| [x, if y > f { y.max(f + 1) } else { y }])
-                .collect()
+            vec![
+                [0, 0],
+                [w, 0],
+                [w, h],
+                [a + b, h],
+                [a + b, f],
+                [a, f],
+                [a, e + g],
+                [0, e + g],
+            ]
+            .into_iter()
+            .map(|[x, y]: Point| [x, if y > f { y.max(f + 1) } else { y }])
+            .collect()
         }
         4 => {
             let (x, y) = (a + b, c + e);
             vec![
-                [a, 0], [x, 0], [x, c], [x + f, c], [x + f, y], [x, y], [x, y + g], [a, y + g], [a, y], [0, y], [0, c],
+                [a, 0],
+                [x, 0],
+                [x, c],
+                [x + f, c],
+                [x + f, y],
+                [x, y],
+                [x, y + g],
+                [a, y + g],
+                [a, y],
+                [0, y],
+                [0, c],
                 [a, c],
             ]
         }
         5 => comb(a + 1, b, c, e),
-        6 => vec![[0, 0], [a + b, 0], [a + b, c], [a + b + e, c], [a + b + e, c + f], [a, c + f], [a, c], [0, c]],
-        _ => vec![[0, 0], [a + b, c], [2 * (a + b), 0], [2 * (a + b), e + c + f], [a + b, e + c], [0, e + c + f]],
+        6 => vec![
+            [0, 0],
+            [a + b, 0],
+            [a + b, c],
+            [a + b + e, c],
+            [a + b + e, c + f],
+            [a, c + f],
+            [a, c],
+            [0, c],
+        ],
+        _ => vec![
+            [0, 0],
+            [a + b, c],
+            [2 * (a + b), 0],
+            [2 * (a + b), e + c + f],
+            [a + b, e + c],
+            [0, e + c + f],
+        ],
     }
 }
 
@@ -85,7 +136,11 @@ fn with_runs(random: &mut Random, ring: &[Point]) -> Vec<Point> {
             found.push(middle);
         }
     }
-    if is_simple(&found) { found } else { ring.to_vec() }
+    if is_simple(&found) {
+        found
+    } else {
+        ring.to_vec()
+    }
 }
 
 /// The outline of some cells, shell first; straight runs are joined or not.
@@ -119,9 +174,18 @@ fn outline(cells: &[Point], keep_runs: bool) -> Option<Vec<Vec<Point>>> {
             (has(x, y + 1), [[x + 1, y + 1], [x, y + 1]]),
             (has(x - 1, y), [[x, y + 1], [x, y]]),
         ];
-        sides.extend(around.into_iter().filter(|(covered, _)| !covered).map(|(_, side)| side));
+        sides.extend(
+            around
+                .into_iter()
+                .filter(|(covered, _)| !covered)
+                .map(|(_, side)| side),
+        );
     }
-    if sides.iter().enumerate().any(|(i, side)| sides[..i].iter().any(|other| other[0] == side[0])) {
+    if sides
+        .iter()
+        .enumerate()
+        .any(|(i, side)| sides[..i].iter().any(|other| other[0] == side[0]))
+    {
         return None;
     }
     let mut rings: Vec<Vec<Point>> = Vec::new();
@@ -134,10 +198,16 @@ fn outline(cells: &[Point], keep_runs: bool) -> Option<Vec<Vec<Point>>> {
         }
         if !keep_runs {
             let straight = |i: usize| {
-                let (p, q) = (ring[(i + ring.len() - 1) % ring.len()], ring[(i + 1) % ring.len()]);
+                let (p, q) = (
+                    ring[(i + ring.len() - 1) % ring.len()],
+                    ring[(i + 1) % ring.len()],
+                );
                 p[0] == q[0] || p[1] == q[1]
             };
-            ring = (0..ring.len()).filter(|&i| !straight(i)).map(|i| ring[i]).collect();
+            ring = (0..ring.len())
+                .filter(|&i| !straight(i))
+                .map(|i| ring[i])
+                .collect();
         }
         rings.push(ring);
     }

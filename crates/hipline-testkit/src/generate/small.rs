@@ -82,15 +82,35 @@ pub fn small_of(kind: Kind, seed: u64) -> Case {
         Kind::Islands => islands(random),
         Kind::Tree => vec![graph(&tree(random, size))],
         Kind::Segments => lines(&segments(random, size, |a, b| !touch(a, b))),
-        Kind::Graph => vec![graph(&segments(random, size, |a, b| !cross(a, b) && !overlap(a, b)))],
+        Kind::Graph => vec![graph(&segments(random, size, |a, b| {
+            !cross(a, b) && !overlap(a, b)
+        }))],
         Kind::Windows => vec![graph(&windows(random))],
-        Kind::Junctions => lines(&segments(random, size, |a, b| !cross(a, b) && !overlap(a, b))),
+        Kind::Junctions => lines(&segments(random, size, |a, b| {
+            !cross(a, b) && !overlap(a, b)
+        })),
         Kind::Mixed => mixed(random, size),
     };
-    let all = [Region::Both, Region::Both, Region::Auto, Region::Interior, Region::Exterior];
-    let has_polygon = parts.iter().any(|part| matches!(part, Part::Polygon { .. }));
-    let region = if has_polygon { *random.pick(&all) } else { Region::Both };
-    Case { comments: vec![format!("{kind:?}, seed {seed}")], region, parts }
+    let all = [
+        Region::Both,
+        Region::Both,
+        Region::Auto,
+        Region::Interior,
+        Region::Exterior,
+    ];
+    let has_polygon = parts
+        .iter()
+        .any(|part| matches!(part, Part::Polygon { .. }));
+    let region = if has_polygon {
+        *random.pick(&all)
+    } else {
+        Region::Both
+    };
+    Case {
+        comments: vec![format!("{kind:?}, seed {seed}")],
+        region,
+        parts,
+    }
 }
 
 /// Gives random speeds to a case.
@@ -112,7 +132,14 @@ pub fn weigh(case: &mut Case, random: &mut Random) {
         };
         let pair = |random: &mut Random| {
             let left = *random.pick(&choices);
-            [left, if both_sides { left } else { *random.pick(&choices) }]
+            [
+                left,
+                if both_sides {
+                    left
+                } else {
+                    *random.pick(&choices)
+                },
+            ]
         };
         let pairs = (0..count).map(|_| pair(random)).collect();
         if let Part::Line { speeds, .. } | Part::Graph { speeds, .. } = part {
@@ -130,7 +157,10 @@ fn polygon(rings: Vec<Vec<Point>>) -> Part {
 }
 
 fn lines(segments: &[[Point; 2]]) -> Vec<Part> {
-    segments.iter().map(|segment| Part::line(to_f64(segment))).collect()
+    segments
+        .iter()
+        .map(|segment| Part::line(to_f64(segment)))
+        .collect()
 }
 
 /// A graph of segments, split where ends lie on them.
@@ -140,10 +170,16 @@ fn graph(segments: &[[Point; 2]]) -> Part {
     vertices.dedup();
     let mut pairs = Vec::new();
     for &segment in segments {
-        let on: Vec<usize> = (0..vertices.len()).filter(|&v| is_on(segment, vertices[v])).collect();
+        let on: Vec<usize> = (0..vertices.len())
+            .filter(|&v| is_on(segment, vertices[v]))
+            .collect();
         pairs.extend(on.windows(2).map(|pair| [pair[0], pair[1]]));
     }
-    Part::Graph { vertices: to_f64(&vertices), edges: pairs, speeds: Vec::new() }
+    Part::Graph {
+        vertices: to_f64(&vertices),
+        edges: pairs,
+        speeds: Vec::new(),
+    }
 }
 
 fn grid_point(random: &mut Random, size: i64) -> Point {
@@ -163,7 +199,8 @@ fn simple(random: &mut Random, size: i64) -> Vec<Point> {
         }
         for _ in 0..200 {
             let all: Vec<[Point; 2]> = edges(&ring).collect();
-            let crossing = (0..all.len()).find_map(|i| (0..i).find(|&j| cross(all[i], all[j])).map(|j| (j, i)));
+            let crossing = (0..all.len())
+                .find_map(|i| (0..i).find(|&j| cross(all[i], all[j])).map(|j| (j, i)));
             let Some((j, i)) = crossing else {
                 break;
             };
@@ -179,7 +216,9 @@ fn simple(random: &mut Random, size: i64) -> Vec<Point> {
 fn star(random: &mut Random, size: i64) -> Vec<Point> {
     loop {
         let middle = [size / 2, size / 2];
-        let mut ring: Vec<Point> = (0..random.range(3, 14)).map(|_| grid_point(random, size)).collect();
+        let mut ring: Vec<Point> = (0..random.range(3, 14))
+            .map(|_| grid_point(random, size))
+            .collect();
         let half = |p: &Point| (p[1], p[0]) < (middle[1], middle[0]);
         ring.retain(|&p| p != middle);
         ring.sort_by(|p, q| half(p).cmp(&half(q)).then(0.cmp(&area(middle, *p, *q))));
@@ -203,7 +242,9 @@ fn holes(random: &mut Random) -> Vec<Vec<Point>> {
         let hole = small_ring(random, size);
         let fits = contains(&rings[0], hole[0])
             && rings.iter().all(|ring| apart(ring, &hole))
-            && rings[1..].iter().all(|ring| !contains(ring, hole[0]) && !contains(&hole, ring[0]));
+            && rings[1..]
+                .iter()
+                .all(|ring| !contains(ring, hole[0]) && !contains(&hole, ring[0]));
         if fits && rings.len() < 4 && rings.iter().map(Vec::len).sum::<usize>() < 14 {
             rings.push(hole);
         }
@@ -219,7 +260,10 @@ fn small_ring(random: &mut Random, size: i64) -> Vec<Point> {
         0 => vec![[x, y], [x + w, y], [x + w, y + h], [x, y + h]],
         1 => vec![[x, y], [x + w, y], [x, y + h]],
         2 => vec![[x, y - h], [x + w, y], [x, y + h], [x - w, y]],
-        _ => simple(random, 2).iter().map(|p| [p[0] + x, p[1] + y]).collect(),
+        _ => simple(random, 2)
+            .iter()
+            .map(|p| [p[0] + x, p[1] + y])
+            .collect(),
     }
 }
 
@@ -229,8 +273,18 @@ fn islands(random: &mut Random) -> Vec<Part> {
     let mut rings: Vec<Vec<Point>> = Vec::new();
     let outer = random.one_in(2);
     if outer {
-        rings.push(vec![[-2, -2], [size + 2, -2], [size + 2, size + 2], [-2, size + 2]]);
-        rings.push(vec![[-1, -1], [-1, size + 1], [size + 1, size + 1], [size + 1, -1]]);
+        rings.push(vec![
+            [-2, -2],
+            [size + 2, -2],
+            [size + 2, size + 2],
+            [-2, size + 2],
+        ]);
+        rings.push(vec![
+            [-1, -1],
+            [-1, size + 1],
+            [size + 1, size + 1],
+            [size + 1, -1],
+        ]);
     }
     for _ in 0..random.range(3, 10) {
         let ring = small_ring(random, size);
@@ -277,12 +331,19 @@ fn tree(random: &mut Random, size: i64) -> Vec<[Point; 2]> {
 }
 
 /// Random segments, as far as they go with the earlier ones.
-fn segments(random: &mut Random, size: i64, fits: fn([Point; 2], [Point; 2]) -> bool) -> Vec<[Point; 2]> {
+fn segments(
+    random: &mut Random,
+    size: i64,
+    fits: fn([Point; 2], [Point; 2]) -> bool,
+) -> Vec<[Point; 2]> {
     let mut found: Vec<[Point; 2]> = Vec::new();
     let most = random.range(1, 7) as usize;
     for _ in 0..random.range(1, 30) {
         let segment = [grid_point(random, size), grid_point(random, size)];
-        if segment[0] != segment[1] && found.len() < most && found.iter().all(|&other| fits(other, segment)) {
+        if segment[0] != segment[1]
+            && found.len() < most
+            && found.iter().all(|&other| fits(other, segment))
+        {
             found.push(segment);
         }
     }
@@ -330,7 +391,11 @@ fn windows(random: &mut Random) -> Vec<[Point; 2]> {
 
 /// A polygon, and segments clear of it.
 fn mixed(random: &mut Random, size: i64) -> Vec<Part> {
-    let ring = if random.one_in(2) { star(random, size + 2) } else { small_ring(random, size) };
+    let ring = if random.one_in(2) {
+        star(random, size + 2)
+    } else {
+        small_ring(random, size)
+    };
     let clear = |segment: &[Point; 2]| edges(&ring).all(|edge| !touch(edge, *segment));
     let mut found = segments(random, size + 2, |a, b| !touch(a, b));
     found.retain(clear);

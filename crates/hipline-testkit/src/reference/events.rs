@@ -21,7 +21,11 @@ impl Wave<'_> {
             let face = self.pieces[p].face;
             let key = (start.id, end.id, u32::MAX);
             let model = self.model;
-            let time = self.time_of(key, || start.motion.joins(&model.field, &end.motion, &model.faces[face]));
+            let time = self.time_of(key, || {
+                start
+                    .motion
+                    .joins(&model.field, &end.motion, &model.faces[face])
+            });
             if let Some(time) = time.filter(|time| self.is_before(time, best.as_ref())) {
                 best = Some(time);
             }
@@ -38,7 +42,9 @@ impl Wave<'_> {
                 }
                 let key = (corner.id, face as u32, 0);
                 let model = self.model;
-                let time = self.time_of(key, || corner.motion.reaches(&model.field, &model.faces[face]));
+                let time = self.time_of(key, || {
+                    corner.motion.reaches(&model.field, &model.faces[face])
+                });
                 if let Some(time) = time.filter(|time| self.is_before(time, best.as_ref()))
                     && self.hits(&corner, p, &time)
                 {
@@ -51,14 +57,23 @@ impl Wave<'_> {
 
     /// The corners at the start and the end of a piece.
     pub(super) fn ends(&self, piece: usize) -> (Rc<Corner>, Rc<Corner>) {
-        let Piece { prev, ref corner, .. } = self.pieces[piece];
+        let Piece {
+            prev, ref corner, ..
+        } = self.pieces[piece];
         (self.pieces[prev].corner.clone(), corner.clone())
     }
 
     /// A remembered time, if it is still to come.
-    fn time_of(&mut self, key: (u32, u32, u32), time: impl FnOnce() -> Option<Ratio>) -> Option<Rc<Ratio>> {
+    fn time_of(
+        &mut self,
+        key: (u32, u32, u32),
+        time: impl FnOnce() -> Option<Ratio>,
+    ) -> Option<Rc<Ratio>> {
         let entry = self.times.entry(key).or_insert_with(|| time().map(Rc::new));
-        if entry.as_ref().is_some_and(|time| time.compare(&self.time, &self.model.field) != Ordering::Greater) {
+        if entry
+            .as_ref()
+            .is_some_and(|time| time.compare(&self.time, &self.model.field) != Ordering::Greater)
+        {
             *entry = None;
         }
         entry.clone()
@@ -79,7 +94,11 @@ impl Wave<'_> {
         let direction = &self.model.faces[self.pieces[piece].face].direction;
         let axis = usize::from(direction[0] == IBig::ZERO);
         let place = corner.motion.coordinate(field, axis, time);
-        let wrong = if direction[axis] > IBig::ZERO { Ordering::Less } else { Ordering::Greater };
+        let wrong = if direction[axis] > IBig::ZERO {
+            Ordering::Less
+        } else {
+            Ordering::Greater
+        };
         let outside = |a: &Ratio, b: &Ratio| a.compare(b, field) == wrong;
         let hit = !outside(&place, &start.motion.coordinate(field, axis, time))
             && !outside(&end.motion.coordinate(field, axis, time), &place);

@@ -29,7 +29,10 @@ impl From<&Figure> for Graph {
             speeds: edge.speeds,
             on_ring: edge.on_ring,
         });
-        Self { vertices: figure.vertices().to_vec(), edges: edges.collect() }
+        Self {
+            vertices: figure.vertices().to_vec(),
+            edges: edges.collect(),
+        }
     }
 }
 
@@ -47,7 +50,11 @@ impl Graph {
     /// Adds an edge between two points; equal points become one vertex.
     pub fn edge(&mut self, from: [f64; 2], to: [f64; 2], speeds: [f64; 2], on_ring: bool) {
         let ends = [self.vertex(from), self.vertex(to)];
-        self.edges.push(GraphEdge { ends, speeds, on_ring });
+        self.edges.push(GraphEdge {
+            ends,
+            speeds,
+            on_ring,
+        });
     }
 
     /// Adds a ring of a polygon; missing speeds are 1.
@@ -61,7 +68,12 @@ impl Graph {
     /// Adds an open polyline; missing speeds are 1.
     pub fn line(&mut self, points: &[[f64; 2]], speeds: &[[f64; 2]]) {
         for (i, pair) in points.windows(2).enumerate() {
-            self.edge(pair[0], pair[1], speeds.get(i).copied().unwrap_or([1.0; 2]), false);
+            self.edge(
+                pair[0],
+                pair[1],
+                speeds.get(i).copied().unwrap_or([1.0; 2]),
+                false,
+            );
         }
     }
 }

@@ -9,6 +9,7 @@
 
 mod events;
 mod graph;
+mod laws;
 mod model;
 mod motion;
 mod number;
@@ -18,4 +19,5 @@ mod result;
 mod wave;
 
 pub use graph::{Graph, GraphEdge};
+pub use laws::check_laws;
 pub use result::{RefArc, RefKind, RefNode, Reference, reference};

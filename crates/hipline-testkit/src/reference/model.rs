@@ -68,8 +68,11 @@ impl Model {
     pub(super) fn new(graph: &Graph) -> Self {
         let place_bits = common_bits(graph.vertices.iter().flatten().copied());
         let speed_bits = common_bits(graph.edges.iter().flat_map(|edge| edge.speeds));
-        let points: Vec<Vector> =
-            graph.vertices.iter().map(|p| p.map(|x| scaled(x, place_bits))).collect();
+        let points: Vec<Vector> = graph
+            .vertices
+            .iter()
+            .map(|p| p.map(|x| scaled(x, place_bits)))
+            .collect();
         let mut faces = Vec::new();
         let mut degree = vec![0; points.len()];
         for edge in &graph.edges {
@@ -82,13 +85,38 @@ impl Model {
             let [left, right] = edge.speeds.map(|speed| scaled(speed, speed_bits));
             let along: Vector = [0, 1].map(|k| &points[q][k] - &points[p][k]);
             let back = along.clone().map(|x| -x);
-            let cap = if left > right { left.clone() } else { right.clone() };
-            faces.push(face(index, Side::Left, [p, q], along.clone(), left, &points));
-            faces.push(face(index, Side::Right, [q, p], back.clone(), right, &points));
+            let cap = if left > right {
+                left.clone()
+            } else {
+                right.clone()
+            };
+            faces.push(face(
+                index,
+                Side::Left,
+                [p, q],
+                along.clone(),
+                left,
+                &points,
+            ));
+            faces.push(face(
+                index,
+                Side::Right,
+                [q, p],
+                back.clone(),
+                right,
+                &points,
+            ));
             // A cap's normal points away from the segment, so it runs a quarter turn right of that.
             if degree[p] == 1 {
                 let direction = [back[1].clone(), -&back[0]];
-                faces.push(face(index, Side::Start, [p, p], direction, cap.clone(), &points));
+                faces.push(face(
+                    index,
+                    Side::Start,
+                    [p, p],
+                    direction,
+                    cap.clone(),
+                    &points,
+                ));
             }
             if degree[q] == 1 {
                 let direction = [along[1].clone(), -&along[0]];
@@ -102,22 +130,49 @@ impl Model {
         }
         let next = chains(&faces, points.len());
         let inside = inside(graph, &points, &faces, &next);
-        Self { field, faces, next, inside, points, place_bits, speed_bits }
+        Self {
+            field,
+            faces,
+            next,
+            inside,
+            points,
+            place_bits,
+            speed_bits,
+        }
     }
 }
 
 /// A face without its rate.
-fn face(edge: usize, side: Side, ends: [usize; 2], direction: Vector, speed: IBig, points: &[Vector]) -> Face {
+fn face(
+    edge: usize,
+    side: Side,
+    ends: [usize; 2],
+    direction: Vector,
+    speed: IBig,
+    points: &[Vector],
+) -> Face {
     let gcd = IBig::from((&direction[0]).gcd(&direction[1]));
     let direction = direction.map(|x| x / &gcd);
     let normal = [-&direction[1], direction[0].clone()];
     let level = dot(&normal, &points[ends[0]]);
-    Face { edge, side, ends, direction, normal, level, rate: Num::default(), speed }
+    Face {
+        edge,
+        side,
+        ends,
+        direction,
+        normal,
+        level,
+        rate: Num::default(),
+        speed,
+    }
 }
 
 /// The least `k` for which all numbers times `2^k` are integers.
 fn common_bits(numbers: impl Iterator<Item = f64>) -> i64 {
-    numbers.filter_map(|x| decode(x).map(|(_, exponent)| -exponent)).max().unwrap_or(0)
+    numbers
+        .filter_map(|x| decode(x).map(|(_, exponent)| -exponent))
+        .max()
+        .unwrap_or(0)
 }
 
 /// The odd integer `m` and the exponent of `x = m * 2^exponent`; `None` for zero.
@@ -125,24 +180,35 @@ fn decode(x: f64) -> Option<(i64, i64)> {
     assert!(x.is_finite(), "the input is finite");
     let bits = x.to_bits();
     let (raw, fraction) = ((bits >> 52 & 0x7ff) as i64, (bits & ((1 << 52) - 1)) as i64);
-    let (mantissa, exponent) = if raw == 0 { (fraction, -1074) } else { (fraction | 1 << 52, raw - 1075) };
+    let (mantissa, exponent) = if raw == 0 {
+        (fraction, -1074)
+    } else {
+        (fraction | 1 << 52, raw - 1075)
+    };
     if mantissa == 0 {
         return None;
     }
     let zeros = i64::from(mantissa.trailing_zeros());
     let mantissa = mantissa >> zeros;
-    Some((if bits >> 63 == 1 { -mantissa } else { mantissa }, exponent + zeros))
+    Some((
+        if bits >> 63 == 1 { -mantissa } else { mantissa },
+        exponent + zeros,
+    ))
 }
 
 /// `x * 2^bits`, which is an integer.
 fn scaled(x: f64, bits: i64) -> IBig {
-    decode(x).map_or(IBig::ZERO, |(mantissa, exponent)| IBig::from(mantissa) << (exponent + bits) as usize)
+    decode(x).map_or(IBig::ZERO, |(mantissa, exponent)| {
+        IBig::from(mantissa) << (exponent + bits) as usize
+    })
 }
 
 /// Counterclockwise order of directions around a point, from the positive x axis.
 pub(super) fn around(u: &Vector, v: &Vector) -> Ordering {
     let lower = |w: &Vector| w[1] < IBig::ZERO || (w[1] == IBig::ZERO && w[0] < IBig::ZERO);
-    lower(u).cmp(&lower(v)).then_with(|| IBig::ZERO.cmp(&cross(u, v)))
+    lower(u)
+        .cmp(&lower(v))
+        .then_with(|| IBig::ZERO.cmp(&cross(u, v)))
 }
 
 /// At each vertex: sorts the sides by angle, and links what bounds the same sector.
@@ -150,14 +216,17 @@ fn chains(faces: &[Face], vertices: usize) -> Vec<usize> {
     let mut next = vec![usize::MAX; faces.len()];
     let is_cap = |f: usize| matches!(faces[f].side, Side::Start | Side::End);
     for vertex in 0..vertices {
-        let mut leaving: Vec<usize> =
-            (0..faces.len()).filter(|&f| !is_cap(f) && faces[f].ends[0] == vertex).collect();
+        let mut leaving: Vec<usize> = (0..faces.len())
+            .filter(|&f| !is_cap(f) && faces[f].ends[0] == vertex)
+            .collect();
         leaving.sort_by(|&f, &g| around(&faces[f].direction, &faces[g].direction));
         for (i, &out) in leaving.iter().enumerate() {
             // The sector on the left of `out` ends at the next edge, whose other side arrives.
             let neighbour = &faces[leaving[(i + 1) % leaving.len()]];
             let arriving = (0..faces.len())
-                .find(|&f| !is_cap(f) && faces[f].edge == neighbour.edge && faces[f].side != neighbour.side)
+                .find(|&f| {
+                    !is_cap(f) && faces[f].edge == neighbour.edge && faces[f].side != neighbour.side
+                })
                 .expect("every edge has two sides");
             let cap = (0..faces.len()).find(|&f| is_cap(f) && faces[f].ends[0] == vertex);
             if let Some(cap) = cap {
@@ -185,22 +254,38 @@ fn inside(graph: &Graph, points: &[Vector], faces: &[Face], next: &[usize]) -> V
             f = next[f];
         }
     }
-    inside.into_iter().map(|known| known.expect("every cap is in a chain with a side")).collect()
+    inside
+        .into_iter()
+        .map(|known| known.expect("every cap is in a chain with a side"))
+        .collect()
 }
 
 /// Is the place just left of the middle of a side inside the polygons?
 fn left_is_inside(graph: &Graph, points: &[Vector], face: &Face) -> bool {
     // A ray from the middle, along y unless the side itself is vertical; coordinates doubled.
-    let (across, along) = if face.direction[0] == IBig::ZERO { (1, 0) } else { (0, 1) };
+    let (across, along) = if face.direction[0] == IBig::ZERO {
+        (1, 0)
+    } else {
+        (0, 1)
+    };
     let middle: Vector = [0, 1].map(|k| &points[face.ends[0]][k] + &points[face.ends[1]][k]);
     let mut odd = false;
-    for (index, edge) in graph.edges.iter().enumerate().filter(|(_, edge)| edge.on_ring) {
+    for (index, edge) in graph
+        .edges
+        .iter()
+        .enumerate()
+        .filter(|(_, edge)| edge.on_ring)
+    {
         if index == face.edge {
             odd ^= face.normal[along] < IBig::ZERO;
             continue;
         }
         let [p, q] = edge.ends.map(|end| [0, 1].map(|k| &points[end][k] << 1));
-        let (low, high) = if p[across] <= q[across] { (p, q) } else { (q, p) };
+        let (low, high) = if p[across] <= q[across] {
+            (p, q)
+        } else {
+            (q, p)
+        };
         if low[across] <= middle[across] && middle[across] < high[across] {
             let rise = (&high[along] - &low[along]) * (&middle[across] - &low[across]);
             odd ^= rise > (&middle[along] - &low[along]) * (&high[across] - &low[across]);

@@ -34,7 +34,12 @@ impl Motion {
             i.rate.times(bj).minus(&j.rate.times(bi)),
             j.rate.times(ai).minus(&i.rate.times(aj)),
         ];
-        Self { at: levels.map(Num::from), velocity: rates, over: m.into() }.reduced(field)
+        Self {
+            at: levels.map(Num::from),
+            velocity: rates,
+            over: m.into(),
+        }
+        .reduced(field)
     }
 
     /// The foot of a ghost arc: it leaves `point` at `time`, perpendicular to the face's edge.
@@ -45,9 +50,18 @@ impl Motion {
         let speed = field.mul(&face.rate, &point.bottom);
         let late = field.mul(&speed, tn);
         let fast = field.mul(&speed, td);
-        let at = [0, 1].map(|k| field.mul(&point.tops[k], &scale).minus(&late.times(&face.normal[k])));
+        let at = [0, 1].map(|k| {
+            field
+                .mul(&point.tops[k], &scale)
+                .minus(&late.times(&face.normal[k]))
+        });
         let velocity = [0, 1].map(|k| fast.times(&face.normal[k]));
-        Self { at, velocity, over: field.mul(&point.bottom, &scale) }.reduced(field)
+        Self {
+            at,
+            velocity,
+            over: field.mul(&point.bottom, &scale),
+        }
+        .reduced(field)
     }
 
     /// Positive denominator, no common factor.
@@ -56,7 +70,10 @@ impl Motion {
         let [at_x, at_y] = &mut self.at;
         let [velocity_x, velocity_y] = &mut self.velocity;
         let mut parts = [at_x, at_y, velocity_x, velocity_y, &mut self.over];
-        let mut gcd = parts.iter().rev().fold(IBig::ZERO, |gcd, part| part.content(gcd));
+        let mut gcd = parts
+            .iter()
+            .rev()
+            .fold(IBig::ZERO, |gcd, part| part.content(gcd));
         if negative {
             gcd = -gcd;
         }
@@ -69,26 +86,45 @@ impl Motion {
     /// One coordinate at a time.
     pub(super) fn coordinate(&self, field: &Field, axis: usize, time: &Ratio) -> Ratio {
         let (tn, td) = time.parts();
-        let top = field.mul(&self.at[axis], td).plus(&field.mul(&self.velocity[axis], tn));
+        let top = field
+            .mul(&self.at[axis], td)
+            .plus(&field.mul(&self.velocity[axis], tn));
         Ratio::over_positive(field, top, field.mul(&self.over, td))
     }
 
     /// The place at a time.
     pub(super) fn point(&self, field: &Field, time: &Ratio) -> Point {
         let (tn, td) = time.parts();
-        let tops = [0, 1]
-            .map(|k| field.mul(&self.at[k], td).plus(&field.mul(&self.velocity[k], tn)));
+        let tops = [0, 1].map(|k| {
+            field
+                .mul(&self.at[k], td)
+                .plus(&field.mul(&self.velocity[k], tn))
+        });
         let bottom = field.mul(&self.over, td);
-        let coordinates = tops.clone().map(|top| Ratio::over_positive(field, top, bottom.clone()));
-        Point { coordinates, tops, bottom }
+        let coordinates = tops
+            .clone()
+            .map(|top| Ratio::over_positive(field, top, bottom.clone()));
+        Point {
+            coordinates,
+            tops,
+            bottom,
+        }
     }
 
     /// When the place is on the plane of a face; `None` for never or always.
     pub(super) fn reaches(&self, field: &Field, face: &Face) -> Option<Ratio> {
         let [a, b] = &face.normal;
-        let gap = self.over.times(&face.level).minus(&self.at[0].times(a)).minus(&self.at[1].times(b));
+        let gap = self
+            .over
+            .times(&face.level)
+            .minus(&self.at[0].times(a))
+            .minus(&self.at[1].times(b));
         let closing = self.velocity[0].times(a).plus(&self.velocity[1].times(b));
-        Ratio::new(field, gap, closing.minus(&field.mul(&self.over, &face.rate)))
+        Ratio::new(
+            field,
+            gap,
+            closing.minus(&field.mul(&self.over, &face.rate)),
+        )
     }
 
     /// When two places on the plane of one face coincide; `None` for never or always.

@@ -34,7 +34,13 @@ impl From<IBig> for Num {
 impl Num {
     /// One term.
     pub(super) fn term(mask: Mask, value: IBig) -> Self {
-        if value == IBig::ZERO { Self::default() } else { Self { terms: vec![(mask, value)] } }
+        if value == IBig::ZERO {
+            Self::default()
+        } else {
+            Self {
+                terms: vec![(mask, value)],
+            }
+        }
     }
 
     /// Exactly zero?
@@ -88,12 +94,20 @@ impl Num {
         if *factor == IBig::ZERO {
             return Self::default();
         }
-        Self { terms: self.terms.iter().map(|(mask, c)| (*mask, c * factor)).collect() }
+        Self {
+            terms: self
+                .terms
+                .iter()
+                .map(|(mask, c)| (*mask, c * factor))
+                .collect(),
+        }
     }
 
     /// The opposite.
     pub(super) fn opposite(&self) -> Self {
-        Self { terms: self.terms.iter().map(|(mask, c)| (*mask, -c)).collect() }
+        Self {
+            terms: self.terms.iter().map(|(mask, c)| (*mask, -c)).collect(),
+        }
     }
 
     /// The greatest common divisor of `start` and all coefficients; 0 stands for "none yet".
@@ -103,7 +117,11 @@ impl Num {
             if gcd == IBig::ONE {
                 break;
             }
-            gcd = if gcd == IBig::ZERO { c.clone().abs() } else { IBig::from(gcd.gcd(c)) };
+            gcd = if gcd == IBig::ZERO {
+                c.clone().abs()
+            } else {
+                IBig::from(gcd.gcd(c))
+            };
         }
         gcd
     }
@@ -122,7 +140,11 @@ impl Num {
         }
         let (p, q) = (&self.terms[0].1, &other.terms.first()?.1);
         let proportional = self.terms.len() == other.terms.len()
-            && self.terms.iter().zip(&other.terms).all(|(a, b)| a.0 == b.0 && &a.1 * q == &b.1 * p);
+            && self
+                .terms
+                .iter()
+                .zip(&other.terms)
+                .all(|(a, b)| a.0 == b.0 && &a.1 * q == &b.1 * p);
         proportional.then(|| (p.clone(), q.clone()))
     }
 }
@@ -170,8 +192,15 @@ impl Field {
                 }
             }
         }
-        assert!(base.len() <= Mask::BITS as usize, "{} square classes are too many", base.len());
-        Self { base, roots: RefCell::default() }
+        assert!(
+            base.len() <= Mask::BITS as usize,
+            "{} square classes are too many",
+            base.len()
+        );
+        Self {
+            base,
+            roots: RefCell::default(),
+        }
     }
 
     /// The square root of one of the integers the field was made for (or a product of such).
@@ -225,7 +254,11 @@ impl Field {
     fn scaled_root(&self, mask: Mask, bits: usize) -> IBig {
         let mut roots = self.roots.borrow_mut();
         let root = roots.entry((mask, bits)).or_insert_with(|| {
-            let chosen = self.base.iter().enumerate().filter(|(i, _)| mask >> i & 1 == 1);
+            let chosen = self
+                .base
+                .iter()
+                .enumerate()
+                .filter(|(i, _)| mask >> i & 1 == 1);
             let product = chosen.fold(IBig::ONE, |product, (_, b)| product * b);
             IBig::from((product << (2 * bits)).sqrt())
         });
@@ -297,8 +330,14 @@ mod tests {
         let numbers = [2, 8, 18, 5, 10, 12, 27, 3].map(IBig::from);
         let field = Field::new(&numbers);
         let [two, eight, eighteen, five, ten, ..] = numbers.clone().map(|n| field.root(&n));
-        assert!(two.plus(&eight).minus(&eighteen).is_zero(), "1 + 2 = 3 roots of two");
-        assert!(field.mul(&two, &five).minus(&ten).is_zero(), "product of roots");
+        assert!(
+            two.plus(&eight).minus(&eighteen).is_zero(),
+            "1 + 2 = 3 roots of two"
+        );
+        assert!(
+            field.mul(&two, &five).minus(&ten).is_zero(),
+            "product of roots"
+        );
         let square = field.mul(&ten, &ten);
         assert_eq!(square, Num::from(IBig::from(10)), "root squared");
         let sum = two.plus(&five).minus(&ten);

@@ -24,13 +24,23 @@ pub struct Ratio {
 impl Ratio {
     /// Zero.
     pub(super) fn zero() -> Self {
-        Self { top: Num::default(), bottom: IBig::ONE.into(), lo: IBig::ZERO, hi: IBig::ZERO }
+        Self {
+            top: Num::default(),
+            bottom: IBig::ONE.into(),
+            lo: IBig::ZERO,
+            hi: IBig::ZERO,
+        }
     }
 
     /// An integer.
     pub(super) fn integer(value: &IBig) -> Self {
         let scaled = value << BITS;
-        Self { top: value.clone().into(), bottom: IBig::ONE.into(), lo: scaled.clone(), hi: scaled }
+        Self {
+            top: value.clone().into(),
+            bottom: IBig::ONE.into(),
+            lo: scaled.clone(),
+            hi: scaled,
+        }
     }
 
     /// The quotient; `None` if the denominator is zero.
@@ -38,7 +48,11 @@ impl Ratio {
         match field.sign(&bottom) {
             Ordering::Equal => None,
             Ordering::Greater => Some(Self::over_positive(field, top, bottom)),
-            Ordering::Less => Some(Self::over_positive(field, top.opposite(), bottom.opposite())),
+            Ordering::Less => Some(Self::over_positive(
+                field,
+                top.opposite(),
+                bottom.opposite(),
+            )),
         }
     }
 
@@ -57,13 +71,24 @@ impl Ratio {
             let (low, high) = field.enclose(&bottom, bits);
             if low > IBig::ZERO && (&high - &low).bit_len() + BITS <= low.bit_len() {
                 let (top_low, top_high) = field.enclose(&top, bits);
-                let lo = floor_div(&(&top_low << BITS), if top_low < IBig::ZERO { &low } else { &high });
-                let hi = floor_div(&(&top_high << BITS), if top_high < IBig::ZERO { &high } else { &low });
+                let lo = floor_div(
+                    &(&top_low << BITS),
+                    if top_low < IBig::ZERO { &low } else { &high },
+                );
+                let hi = floor_div(
+                    &(&top_high << BITS),
+                    if top_high < IBig::ZERO { &high } else { &low },
+                );
                 break (lo, hi + IBig::ONE);
             }
             bits *= 2;
         };
-        Self { top, bottom, lo, hi }
+        Self {
+            top,
+            bottom,
+            lo,
+            hi,
+        }
     }
 
     /// Numerator and (positive) denominator.
@@ -96,7 +121,11 @@ impl Ratio {
             let same_sign = (top_low > IBig::ZERO) == (top_high > IBig::ZERO);
             if low > IBig::ZERO && same_sign {
                 let negative = top_low < IBig::ZERO;
-                let (for_low, for_high) = if negative { (&low, &high) } else { (&high, &low) };
+                let (for_low, for_high) = if negative {
+                    (&low, &high)
+                } else {
+                    (&high, &low)
+                };
                 let below = round_rational(&top_low, for_low, exponent);
                 let above = round_rational(&top_high, for_high, exponent);
                 if below.to_bits() == above.to_bits() {
@@ -111,7 +140,11 @@ impl Ratio {
 /// `floor(a / b)` for positive `b`.
 fn floor_div(a: &IBig, b: &IBig) -> IBig {
     let quotient = a / b;
-    if *a < IBig::ZERO && &quotient * b != *a { quotient - IBig::ONE } else { quotient }
+    if *a < IBig::ZERO && &quotient * b != *a {
+        quotient - IBig::ONE
+    } else {
+        quotient
+    }
 }
 
 /// The f64 nearest to `p / q * 2^exponent`, ties to even. (Results below 2^-1022 may be off.)
@@ -122,7 +155,11 @@ fn round_rational(p: &IBig, q: &IBig, exponent: i64) -> f64 {
     let negative = (*p < IBig::ZERO) != (*q < IBig::ZERO);
     let (p, q) = (p.clone().abs(), q.clone().abs());
     let shift = 66 + q.bit_len() as i64 - p.bit_len() as i64;
-    let (p, q) = if shift >= 0 { (p << shift as usize, q) } else { (p, q << (-shift) as usize) };
+    let (p, q) = if shift >= 0 {
+        (p << shift as usize, q)
+    } else {
+        (p, q << (-shift) as usize)
+    };
     let mut quotient = &p / &q;
     let exact = &quotient * &q == p;
     quotient <<= 1;
@@ -138,7 +175,10 @@ fn round_rational(p: &IBig, q: &IBig, exponent: i64) -> f64 {
 
 /// `2^exponent`, exactly.
 fn power_of_two(exponent: i64) -> f64 {
-    assert!((-1022..=1023).contains(&exponent), "2^{exponent} is out of range");
+    assert!(
+        (-1022..=1023).contains(&exponent),
+        "2^{exponent} is out of range"
+    );
     f64::from_bits(((exponent + 1023) as u64) << 52)
 }
 
@@ -151,13 +191,41 @@ mod tests {
         let field = Field::new(&[IBig::from(2), IBig::from(3)]);
         let (one, two) = (Num::from(IBig::ONE), field.root(&IBig::from(2)));
         let root = Ratio::new(&field, two.clone(), one.clone()).expect("not zero");
-        assert_eq!(root.round(&field, 0).to_bits(), std::f64::consts::SQRT_2.to_bits(), "root of 2");
+        assert_eq!(
+            root.round(&field, 0).to_bits(),
+            std::f64::consts::SQRT_2.to_bits(),
+            "root of 2"
+        );
         let third = Ratio::new(&field, one.opposite(), IBig::from(3).into()).expect("not zero");
-        assert_eq!(third.round(&field, 0).to_bits(), (-1.0_f64 / 3.0).to_bits(), "-1/3");
-        assert_eq!(third.round(&field, 4).to_bits(), (-16.0_f64 / 3.0).to_bits(), "-16/3");
-        let same = Ratio::new(&field, two.times(&IBig::from(-5)), two.times(&IBig::from(15))).expect("not zero");
-        assert_eq!(same.compare(&third, &field), Ordering::Equal, "equal as reals");
-        assert_eq!(root.compare(&third, &field), Ordering::Greater, "1.41 > -0.33");
-        assert!(Ratio::new(&field, two, Num::default()).is_none(), "nothing over zero");
+        assert_eq!(
+            third.round(&field, 0).to_bits(),
+            (-1.0_f64 / 3.0).to_bits(),
+            "-1/3"
+        );
+        assert_eq!(
+            third.round(&field, 4).to_bits(),
+            (-16.0_f64 / 3.0).to_bits(),
+            "-16/3"
+        );
+        let same = Ratio::new(
+            &field,
+            two.times(&IBig::from(-5)),
+            two.times(&IBig::from(15)),
+        )
+        .expect("not zero");
+        assert_eq!(
+            same.compare(&third, &field),
+            Ordering::Equal,
+            "equal as reals"
+        );
+        assert_eq!(
+            root.compare(&third, &field),
+            Ordering::Greater,
+            "1.41 > -0.33"
+        );
+        assert!(
+            Ratio::new(&field, two, Num::default()).is_none(),
+            "nothing over zero"
+        );
     }
 }

@@ -31,7 +31,9 @@ impl Wave<'_> {
         for (piece, &place) in self.pieces.iter().zip(&at) {
             corners[place].push(piece.corner.clone());
         }
-        let happens: Vec<bool> = (0..corners.len()).map(|p| corners[p].len() > 1 || split[p]).collect();
+        let happens: Vec<bool> = (0..corners.len())
+            .map(|p| corners[p].len() > 1 || split[p])
+            .collect();
         assert!(happens.contains(&true), "nothing happens at an event");
         for place in (0..corners.len()).filter(|&place| happens[place]) {
             let node = self.node(&mut places, place);
@@ -42,13 +44,22 @@ impl Wave<'_> {
         let parts = self.cancel(&mut places, &parts);
         let mut links: Vec<Link> = parts
             .iter()
-            .map(|&Part { face, from, to }| Link { face, from, to, next: usize::MAX, corner: None, alive: true })
+            .map(|&Part { face, from, to }| Link {
+                face,
+                from,
+                to,
+                next: usize::MAX,
+                corner: None,
+                alive: true,
+            })
             .collect();
         for place in 0..corners.len() {
             self.link(&mut links, place);
             if !happens[place] {
                 let arriving = links.iter_mut().find(|link| link.to == place);
-                arriving.expect("one edge arrives at an undisturbed vertex").corner = corners[place].pop();
+                arriving
+                    .expect("one edge arrives at an undisturbed vertex")
+                    .corner = corners[place].pop();
             }
         }
         self.settle(links, &mut places);
@@ -58,14 +69,20 @@ impl Wave<'_> {
     /// of the place where it ends.
     fn places(&self) -> (Places, Vec<usize>) {
         let field = &self.model.field;
-        let all: Vec<Point> =
-            self.pieces.iter().map(|piece| piece.corner.motion.point(field, &self.time)).collect();
+        let all: Vec<Point> = self
+            .pieces
+            .iter()
+            .map(|piece| piece.corner.motion.point(field, &self.time))
+            .collect();
         let mut order: Vec<usize> = (0..all.len()).collect();
         order.sort_by(|&p, &q| all[p].compare(&all[q], field));
         let mut at = vec![0; all.len()];
         let mut points: Vec<Point> = Vec::new();
         for &p in &order {
-            if points.last().is_none_or(|last| last.compare(&all[p], field) != Ordering::Equal) {
+            if points
+                .last()
+                .is_none_or(|last| last.compare(&all[p], field) != Ordering::Equal)
+            {
                 points.push(all[p].clone());
             }
             at[p] = points.len() - 1;
@@ -85,7 +102,9 @@ impl Wave<'_> {
             let mut stops: Vec<usize> = if from == to {
                 Vec::new()
             } else {
-                between.filter(|&q| self.is_on_line(places, q, piece.face, [from, to])).collect()
+                between
+                    .filter(|&q| self.is_on_line(places, q, piece.face, [from, to]))
+                    .collect()
             };
             if from > to {
                 stops.reverse();
@@ -93,11 +112,19 @@ impl Wave<'_> {
             let mut last = from;
             for &stop in &stops {
                 split[stop] = true;
-                parts.push(Part { face: piece.face, from: last, to: stop });
+                parts.push(Part {
+                    face: piece.face,
+                    from: last,
+                    to: stop,
+                });
                 last = stop;
             }
             if from != to {
-                parts.push(Part { face: piece.face, from: last, to });
+                parts.push(Part {
+                    face: piece.face,
+                    from: last,
+                    to,
+                });
             }
         }
         (parts, split)
@@ -115,20 +142,29 @@ impl Wave<'_> {
         let face = &self.model.faces[face];
         let (tn, td) = self.time.parts();
         let right = field.mul(&face.rate, tn).plus(&td.times(&face.level));
-        let left = point.tops[0].times(&face.normal[0]).plus(&point.tops[1].times(&face.normal[1]));
-        field.mul(&left, td).minus(&field.mul(&point.bottom, &right)).is_zero()
+        let left = point.tops[0]
+            .times(&face.normal[0])
+            .plus(&point.tops[1].times(&face.normal[1]));
+        field
+            .mul(&left, td)
+            .minus(&field.mul(&point.bottom, &right))
+            .is_zero()
     }
 
     /// Removes what lies face to face, leaving ridges.
     fn cancel(&mut self, places: &mut Places, parts: &[Part]) -> Vec<Part> {
         let mut seen: BTreeMap<(usize, usize), Vec<Part>> = BTreeMap::new();
         for part in parts {
-            seen.entry((part.from.min(part.to), part.from.max(part.to))).or_default().push(*part);
+            seen.entry((part.from.min(part.to), part.from.max(part.to)))
+                .or_default()
+                .push(*part);
         }
-        for (&(low, high), pair) in &seen {
+        for pair in seen.values() {
             match pair.as_slice() {
                 [_] => {}
-                [a, b] if a.from == b.to => self.level_arc(places, [low, high], [a.face, b.face]),
+                [a, b] if a.from == b.to => {
+                    self.level_arc(places, [a.from, a.to], [b.face, a.face])
+                }
                 _ => panic!("wavefront edges overlap: {pair:?}"),
             }
         }
@@ -159,8 +195,12 @@ impl Wave<'_> {
             }
             // Its unswept sector is on the clockwise side of the ray that points back along it.
             let (_, leaving, leaves) = &rays[(i + rays.len() - 1) % rays.len()];
-            assert!(*leaves, "unswept sectors overlap at place {place}: {rays:?}");
-            let parallel = around(&rays[i].0, &rays[(i + rays.len() - 1) % rays.len()].0) == Ordering::Equal;
+            assert!(
+                *leaves,
+                "unswept sectors overlap at place {place}: {rays:?}"
+            );
+            let parallel =
+                around(&rays[i].0, &rays[(i + rays.len() - 1) % rays.len()].0) == Ordering::Equal;
             assert!(!parallel, "an unswept sector of no width");
             links[arriving].next = *leaving;
         }

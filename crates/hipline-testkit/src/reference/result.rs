@@ -34,7 +34,7 @@ pub struct RefNode {
 pub struct RefArc {
     /// Numbers of its nodes; the wavefront reaches the first one first.
     pub nodes: [usize; 2],
-    /// The faces beside it (numbers in [`Reference::faces`]), in no particular order.
+    /// The faces on its left and on its right (numbers in [`Reference::faces`]).
     pub faces: [usize; 2],
     /// What it is.
     pub kind: ArcKind,
@@ -78,8 +78,16 @@ pub fn reference(graph: &Graph, region: Region) -> Reference {
     let mut result = Reference {
         nodes: Vec::new(),
         arcs: Vec::new(),
-        faces: model.faces.iter().map(|face| (face.edge, face.side)).collect(),
-        covered: model.inside.iter().map(|inside| halves.contains(inside)).collect(),
+        faces: model
+            .faces
+            .iter()
+            .map(|face| (face.edge, face.side))
+            .collect(),
+        covered: model
+            .inside
+            .iter()
+            .map(|inside| halves.contains(inside))
+            .collect(),
         moments: 0,
     };
     // The two halves of the plane never touch, so each has a simulation of its own.
@@ -88,7 +96,10 @@ pub fn reference(graph: &Graph, region: Region) -> Reference {
         while let Some(time) = wave.next_event() {
             wave.advance(time);
             result.moments += 1;
-            assert!(result.moments <= 100 * (graph.edges.len() + 1), "the wavefront never comes to rest");
+            assert!(
+                result.moments <= 100 * (graph.edges.len() + 1),
+                "the wavefront never comes to rest"
+            );
         }
         wave.escape();
         result.add(&model, &wave);
@@ -102,7 +113,10 @@ impl Wave<'_> {
         for piece in 0..self.pieces.len() {
             let corner = self.pieces[piece].corner.clone();
             let velocity = [0, 1].map(|axis| corner.motion.speed(&self.model.field, axis));
-            self.nodes.push(RawNode::Infinite { from: corner.origin, velocity });
+            self.nodes.push(RawNode::Infinite {
+                from: corner.origin,
+                velocity,
+            });
             self.finish(&corner, self.nodes.len() - 1);
         }
     }
@@ -120,22 +134,37 @@ impl Reference {
                 RawNode::Finite { place, time } => RefNode {
                     place: [0, 1].map(|k| place[k].round(field, -model.place_bits)),
                     time: time.round(field, model.speed_bits - model.place_bits),
-                    kind: if index < vertices { RefKind::Input } else { RefKind::Event },
+                    kind: if index < vertices {
+                        RefKind::Input
+                    } else {
+                        RefKind::Event
+                    },
                 },
                 RawNode::Infinite { from, velocity } => RefNode {
-                    place: self.nodes[if *from < vertices { *from } else { from + offset }].place,
+                    place: self.nodes[if *from < vertices {
+                        *from
+                    } else {
+                        from + offset
+                    }]
+                    .place,
                     time: f64::INFINITY,
-                    kind: RefKind::Infinite([0, 1].map(|k| velocity[k].round(field, -model.speed_bits))),
+                    kind: RefKind::Infinite(
+                        [0, 1].map(|k| velocity[k].round(field, -model.speed_bits)),
+                    ),
                 },
             };
             self.nodes.push(rounded);
         }
         let number = |node: usize| if node < vertices { node } else { node + offset };
-        self.arcs.extend(wave.arcs.iter().map(|&RawArc { nodes, faces, kind }| RefArc {
-            nodes: nodes.map(number),
-            faces,
-            kind,
-        }));
+        self.arcs.extend(
+            wave.arcs
+                .iter()
+                .map(|&RawArc { nodes, faces, kind }| RefArc {
+                    nodes: nodes.map(number),
+                    faces,
+                    kind,
+                }),
+        );
     }
 
     /// The number of arcs at each node.

@@ -63,7 +63,7 @@ pub(super) enum RawNode {
     Infinite { from: usize, velocity: [Ratio; 2] },
 }
 
-/// An arc of the result.
+/// An arc of the result; `faces` are those on its left and on its right.
 #[derive(Debug)]
 pub(super) struct RawArc {
     pub nodes: [usize; 2],
@@ -100,10 +100,11 @@ impl<'a> Wave<'a> {
             hits: HashMap::new(),
         };
         let points: Vec<Point> = model.points.iter().map(Point::integer).collect();
-        wave.nodes.extend(points.iter().map(|point| RawNode::Finite {
-            place: point.coordinates.clone(),
-            time: Ratio::zero(),
-        }));
+        wave.nodes
+            .extend(points.iter().map(|point| RawNode::Finite {
+                place: point.coordinates.clone(),
+                time: Ratio::zero(),
+            }));
         let nodes = (0..points.len()).map(Some).collect();
         let links = model.faces.iter().enumerate().map(|(f, face)| Link {
             face: f,
@@ -123,26 +124,42 @@ impl<'a> Wave<'a> {
             return node;
         }
         let place_at = places.points[place].coordinates.clone();
-        self.nodes.push(RawNode::Finite { place: place_at, time: self.time.clone() });
+        self.nodes.push(RawNode::Finite {
+            place: place_at,
+            time: self.time.clone(),
+        });
         places.nodes[place] = Some(self.nodes.len() - 1);
         self.nodes.len() - 1
     }
 
-    /// Ends the arc of a corner at a node.
+    /// Ends the arc of a corner at a node. It moves to the left of the wavefront's direction, so
+    /// the face before it is on its left.
     pub(super) fn finish(&mut self, corner: &Corner, node: usize) {
-        assert_ne!(corner.origin, node, "an arc of length zero between {:?}", corner.faces);
+        assert_ne!(
+            corner.origin, node,
+            "an arc of length zero between {:?}",
+            corner.faces
+        );
         let kind = match corner.turn {
             Ordering::Greater => ArcKind::Ridge,
             Ordering::Less => ArcKind::Valley,
             Ordering::Equal => ArcKind::Ghost,
         };
-        self.arcs.push(RawArc { nodes: [corner.origin, node], faces: corner.faces, kind });
+        self.arcs.push(RawArc {
+            nodes: [corner.origin, node],
+            faces: corner.faces,
+            kind,
+        });
     }
 
-    /// An arc of one height between two places.
+    /// An arc of one height between two places; the faces on its left and right.
     pub(super) fn level_arc(&mut self, places: &mut Places, ends: [usize; 2], faces: [usize; 2]) {
         let nodes = ends.map(|place| self.node(places, place));
-        self.arcs.push(RawArc { nodes, faces, kind: ArcKind::Ridge });
+        self.arcs.push(RawArc {
+            nodes,
+            faces,
+            kind: ArcKind::Ridge,
+        });
     }
 
     /// Joins what is one, lets the faster of parallel neighbours win, makes the new corners.
@@ -162,9 +179,18 @@ impl<'a> Wave<'a> {
             let link = links[l].clone();
             let corner = link.corner.unwrap_or_else(|| {
                 let origin = self.node(places, link.to);
-                self.corner(origin, &places.points[link.to], [link.face, links[link.next].face])
+                self.corner(
+                    origin,
+                    &places.points[link.to],
+                    [link.face, links[link.next].face],
+                )
             });
-            pieces.push(Piece { face: link.face, next: rank[link.next], prev: usize::MAX, corner });
+            pieces.push(Piece {
+                face: link.face,
+                next: rank[link.next],
+                prev: usize::MAX,
+                corner,
+            });
         }
         for p in 0..pieces.len() {
             let next = pieces[p].next;
@@ -177,13 +203,22 @@ impl<'a> Wave<'a> {
         let [i, j] = faces.map(|f| &self.model.faces[f]);
         let turn = cross(&i.direction, &j.direction).cmp(&IBig::ZERO);
         let motion = if turn == Ordering::Equal {
-            assert!(same_direction(i, j), "wavefront edges of faces {faces:?} lie on each other");
+            assert!(
+                same_direction(i, j),
+                "wavefront edges of faces {faces:?} lie on each other"
+            );
             Motion::ghost(&self.model.field, i, point, &self.time)
         } else {
             Motion::meet(&self.model.field, i, j)
         };
         self.corners += 1;
-        Rc::new(Corner { id: self.corners, motion, origin, faces, turn })
+        Rc::new(Corner {
+            id: self.corners,
+            motion,
+            origin,
+            faces,
+            turn,
+        })
     }
 
     /// Of all pairs of parallel neighbours of different speed, the one with the fastest edge:
@@ -214,7 +249,7 @@ impl<'a> Wave<'a> {
     fn overrun(&mut self, links: &mut [Link], places: &mut Places, link: usize, fast: usize) {
         let slow = if fast == link { links[link].next } else { link };
         let Link { from, to, next, .. } = links[slow];
-        self.level_arc(places, [from, to], [links[slow].face, links[fast].face]);
+        self.level_arc(places, [from, to], [links[fast].face, links[slow].face]);
         links[slow].alive = false;
         if fast == link {
             if let Some(corner) = links[slow].corner.take() {
@@ -250,7 +285,12 @@ fn join_equals(links: &mut [Link]) {
             if links[next].face != links[l].face || next == l {
                 break;
             }
-            let Link { to, next: after, ref corner, .. } = links[next];
+            let Link {
+                to,
+                next: after,
+                ref corner,
+                ..
+            } = links[next];
             links[l].corner = corner.clone();
             links[l].to = to;
             links[l].next = after;
