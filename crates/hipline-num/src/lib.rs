@@ -1,1 +1,45 @@
 //! Exact signs and correctly rounded values of polynomials in square roots.
+//!
+//! Every decision in a straight skeleton is the sign of an integer polynomial in a few
+//! square roots of integers. This crate answers such questions on a ladder of three
+//! [`Number`] types, cheapest first:
+//!
+//! | rung | type | when it cannot tell |
+//! | --- | --- | --- |
+//! | f64 with a proven error bound | [`Ball`] | abstains |
+//! | double-double with a proven error bound | [`BallDd`] | abstains |
+//! | integers and square roots | [`Surd`] | always tells |
+//!
+//! It knows no geometry. Nothing here compares against a tolerance: a sign is either proven
+//! or withheld. In both kinds of ball an error of zero means *the value is this very
+//! integer*, so that the degenerate cases of integer input are decided by the first rung.
+//!
+//! [`round_quotient`] and its relatives turn the exact answer into the nearest f64.
+//!
+//! The derivations are collected in `docs/numbers.md`; every constant repeats its own.
+
+mod ball;
+mod ball_dd;
+mod dyadic;
+mod number;
+mod rounding;
+mod rungs;
+mod sign;
+mod square;
+mod surd;
+mod surd_sign;
+
+pub use ball::Ball;
+pub use ball_dd::BallDd;
+pub use dyadic::{f64_to_parts, ilog2};
+pub use number::Number;
+pub use rounding::{
+    compare_quotient_f64, round_ball_dd, round_ball_dd_plus, round_quotient, round_quotient_plus,
+};
+pub use rungs::Rungs;
+pub use sign::Sign;
+pub use square::perfect_root;
+pub use surd::Surd;
+
+/// Re-exported so that callers name the same integers.
+pub use dashu_int::{IBig, UBig};
