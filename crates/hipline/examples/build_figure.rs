@@ -11,12 +11,20 @@ type Ring = Vec<[f64; 2]>;
 fn main() {
     let mut args = std::env::args().skip(1);
     let only = args.next();
-    let sizes = args.next().map_or(vec![10, 100, 10_000, 100_000, 1_000_000], |size| {
-        vec![size.parse().expect("the number of vertices is a number")]
-    });
-    println!("{:10} {:>9} {:>12} {:>10}", "family", "vertices", "ns/vertex", "us/figure");
+    let sizes = args
+        .next()
+        .map_or(vec![10, 100, 10_000, 100_000, 1_000_000], |size| {
+            vec![size.parse().expect("the number of vertices is a number")]
+        });
+    println!(
+        "{:10} {:>9} {:>12} {:>10}",
+        "family", "vertices", "ns/vertex", "us/figure"
+    );
     for (name, family) in FAMILIES {
-        if only.as_ref().is_some_and(|only| only != name && only != "all") {
+        if only
+            .as_ref()
+            .is_some_and(|only| only != name && only != "all")
+        {
             continue;
         }
         for &size in &sizes {
@@ -56,7 +64,11 @@ const FAMILIES: [(&str, Family); 8] = [
         let step = (n as f64).sqrt().recip();
         let mut radius = 1000.0;
         let mut bounded = move || {
-            radius = f64::clamp(radius + 1000.0 * step * (next(&mut random) - 0.5), 500.0, 2000.0);
+            radius = f64::clamp(
+                radius + 1000.0 * step * (next(&mut random) - 0.5),
+                500.0,
+                2000.0,
+            );
             radius
         };
         vec![vec![polar(n, move |_| bounded())]]
@@ -73,7 +85,9 @@ const FAMILIES: [(&str, Family); 8] = [
 ];
 
 fn next(state: &mut u64) -> f64 {
-    *state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+    *state = state
+        .wrapping_mul(6_364_136_223_846_793_005)
+        .wrapping_add(1_442_695_040_888_963_407);
     (*state >> 11) as f64 / (1_u64 << 53) as f64
 }
 
@@ -102,7 +116,9 @@ fn comb(n: usize, length: f64) -> Ring {
 }
 
 fn saw(n: usize) -> Ring {
-    let mut ring: Ring = (0..n - 2).map(|i| [i as f64, (i % 2) as f64 * 50.0]).collect();
+    let mut ring: Ring = (0..n - 2)
+        .map(|i| [i as f64, (i % 2) as f64 * 50.0])
+        .collect();
     ring.extend([[n as f64, -1000.0], [-1.0, -1000.0]]);
     ring
 }
@@ -125,7 +141,12 @@ fn koch(n: usize) -> Ring {
             let [bx, by] = ring[(i + 1) % ring.len()];
             let (dx, dy) = ((bx - ax) / 3.0, (by - ay) / 3.0);
             let tip = [ax + 1.5 * dx - height * dy, ay + 1.5 * dy + height * dx];
-            finer.extend([[ax, ay], [ax + dx, ay + dy], tip, [ax + 2.0 * dx, ay + 2.0 * dy]]);
+            finer.extend([
+                [ax, ay],
+                [ax + dx, ay + dy],
+                tip,
+                [ax + 2.0 * dx, ay + 2.0 * dy],
+            ]);
         }
         ring = finer;
     }

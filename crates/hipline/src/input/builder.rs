@@ -13,7 +13,8 @@ use super::{Figure, Flaw, InvalidFigure, crossing, gather, nesting, range::Scale
 ///   inside of an edge splits that edge. Only a polygon whose inside falls into several
 ///   pieces that way is refused.
 /// * Lines and graphs anywhere, inside and outside of polygons, as long as no two edges
-///   cross or overlap.
+///   cross or overlap. An edge that is the same in several lines, and of the same speeds,
+///   is one edge; it has the name it was first given.
 ///
 /// ```
 /// use hipline::FigureBuilder;
@@ -34,9 +35,19 @@ pub struct FigureBuilder {
 /// What one call to the builder added.
 #[derive(Debug, Clone)]
 pub(super) enum Part {
-    Polygon { rings: Vec<Vec<[f64; 2]>>, speeds: Option<Vec<Vec<f64>>> },
-    Line { points: Vec<[f64; 2]>, speeds: Option<Vec<[f64; 2]>> },
-    Graph { vertices: Vec<[f64; 2]>, edges: Vec<[usize; 2]>, speeds: Option<Vec<[f64; 2]>> },
+    Polygon {
+        rings: Vec<Vec<[f64; 2]>>,
+        speeds: Option<Vec<Vec<f64>>>,
+    },
+    Line {
+        points: Vec<[f64; 2]>,
+        speeds: Option<Vec<[f64; 2]>>,
+    },
+    Graph {
+        vertices: Vec<[f64; 2]>,
+        edges: Vec<[usize; 2]>,
+        speeds: Option<Vec<[f64; 2]>>,
+    },
 }
 
 impl FigureBuilder {
@@ -54,32 +65,57 @@ impl FigureBuilder {
     /// Adds a polygon: its shell, then its holes, each a list of `[x, y]`; a last point equal to
     /// the first is dropped; either orientation. Returns the number of the part.
     pub fn polygon(&mut self, rings: Vec<Vec<[f64; 2]>>) -> usize {
-        self.push(Part::Polygon { rings, speeds: None })
+        self.push(Part::Polygon {
+            rings,
+            speeds: None,
+        })
     }
 
     /// Adds a polygon with a speed for each edge, ring by ring; an edge's speed holds on both sides.
     pub fn weighted_polygon(&mut self, rings: Vec<Vec<[f64; 2]>>, speeds: Vec<Vec<f64>>) -> usize {
-        self.push(Part::Polygon { rings, speeds: Some(speeds) })
+        self.push(Part::Polygon {
+            rings,
+            speeds: Some(speeds),
+        })
     }
 
     /// Adds a polyline (closed if its last point equals its first).
     pub fn polyline(&mut self, points: Vec<[f64; 2]>) -> usize {
-        self.push(Part::Line { points, speeds: None })
+        self.push(Part::Line {
+            points,
+            speeds: None,
+        })
     }
 
     /// Adds a polyline with `[left, right]` speeds for each edge.
     pub fn weighted_polyline(&mut self, points: Vec<[f64; 2]>, speeds: Vec<[f64; 2]>) -> usize {
-        self.push(Part::Line { points, speeds: Some(speeds) })
+        self.push(Part::Line {
+            points,
+            speeds: Some(speeds),
+        })
     }
 
     /// Adds a graph: vertices, and edges as pairs of vertex numbers.
     pub fn graph(&mut self, vertices: Vec<[f64; 2]>, edges: Vec<[usize; 2]>) -> usize {
-        self.push(Part::Graph { vertices, edges, speeds: None })
+        self.push(Part::Graph {
+            vertices,
+            edges,
+            speeds: None,
+        })
     }
 
     /// Adds a graph with `[left, right]` speeds for each edge.
-    pub fn weighted_graph(&mut self, vertices: Vec<[f64; 2]>, edges: Vec<[usize; 2]>, speeds: Vec<[f64; 2]>) -> usize {
-        self.push(Part::Graph { vertices, edges, speeds: Some(speeds) })
+    pub fn weighted_graph(
+        &mut self,
+        vertices: Vec<[f64; 2]>,
+        edges: Vec<[usize; 2]>,
+        speeds: Vec<[f64; 2]>,
+    ) -> usize {
+        self.push(Part::Graph {
+            vertices,
+            edges,
+            speeds: Some(speeds),
+        })
     }
 
     /// Checks everything and builds the figure.

@@ -188,7 +188,9 @@ pub enum Flaw {
         part: usize,
         /// How many pieces there are.
         pieces: usize,
-        /// The vertices where two pieces touch (at most [`InvalidFigure::MAX_PLACES`]).
+        /// The points where two pieces touch (at most [`InvalidFigure::MAX_PLACES`]), each
+        /// with an edge that starts there; or, if only other parts have a vertex there, one
+        /// that passes there.
         places: Vec<(Place, [f64; 2])>,
     },
     /// Flaws of pairs of edges beyond the first [`InvalidFigure::MAX_PAIRS`].
@@ -206,13 +208,21 @@ struct Touching<'a>(&'a [(Place, [f64; 2])]);
 
 impl fmt::Display for Vertex<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "part {}, ring {}, vertex {}", self.0.part, self.0.ring, self.0.index)
+        write!(
+            f,
+            "part {}, ring {}, vertex {}",
+            self.0.part, self.0.ring, self.0.index
+        )
     }
 }
 
 impl fmt::Display for Edge<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "part {}, ring {}, edge {}", self.0.part, self.0.ring, self.0.index)
+        write!(
+            f,
+            "part {}, ring {}, edge {}",
+            self.0.part, self.0.ring, self.0.index
+        )
     }
 }
 
@@ -226,7 +236,7 @@ impl fmt::Display for Touching<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         for (i, (place, [x, y])) in self.0.iter().enumerate() {
             let lead = if i == 0 { ", which touch at" } else { ";" };
-            write!(f, "{lead} {} ({x}, {y})", Vertex(place))?;
+            write!(f, "{lead} {} ({x}, {y})", Edge(place))?;
         }
         Ok(())
     }
@@ -257,7 +267,11 @@ impl fmt::Display for InvalidFigure {
         if let [flaw] = self.flaws.as_slice() {
             return write!(f, "{flaw}");
         }
-        let shown = if f.alternate() { self.flaws.len() } else { SHOWN };
+        let shown = if f.alternate() {
+            self.flaws.len()
+        } else {
+            SHOWN
+        };
         write!(f, "{} flaws:", self.flaws.len())?;
         for flaw in self.flaws.iter().take(shown) {
             write!(f, "\n- {flaw}")?;

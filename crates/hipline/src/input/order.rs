@@ -85,7 +85,9 @@ mod tests {
 
     #[test]
     fn every_vertex_comes_once() {
-        let points: Vec<[f64; 2]> = (0..1000).map(|i| [f64::from(i % 37), f64::from(i / 37)]).collect();
+        let points: Vec<[f64; 2]> = (0..1000)
+            .map(|i| [f64::from(i % 37), f64::from(i / 37)])
+            .collect();
         let mut order = insertion_order(&points);
         order.sort_unstable();
         assert!(order.iter().enumerate().all(|(i, &v)| i == v as usize));

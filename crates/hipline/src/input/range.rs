@@ -53,7 +53,11 @@ impl Scale {
 /// The exponent of the leading bit of a positive finite number, subnormal or not.
 fn exponent(x: f64) -> i32 {
     let biased = (x.to_bits() >> 52) as i32;
-    if biased > 0 { biased - 1023 } else { -1011 - x.to_bits().leading_zeros() as i32 }
+    if biased > 0 {
+        biased - 1023
+    } else {
+        -1011 - x.to_bits().leading_zeros() as i32
+    }
 }
 
 /// 2^exponent, for an exponent of a normal number.
