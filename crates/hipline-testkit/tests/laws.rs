@@ -8,11 +8,16 @@ use hipline_testkit::metamorphic::Map;
 use hipline_testkit::reference::{Graph, Reference, check_laws, reference};
 
 fn cases() -> u64 {
-    std::env::var("HIPLINE_CASES").ok().and_then(|count| count.parse().ok()).unwrap_or(500)
+    std::env::var("HIPLINE_CASES")
+        .ok()
+        .and_then(|count| count.parse().ok())
+        .unwrap_or(500)
 }
 
 fn run(case: &Case, region: Region) -> (Graph, Reference) {
-    let figure = case.figure().unwrap_or_else(|flaws| panic!("{}\n{flaws:?}", case.to_text()));
+    let figure = case
+        .figure()
+        .unwrap_or_else(|flaws| panic!("{}\n{flaws:?}", case.to_text()));
     let graph = Graph::from(&figure);
     let result = reference(&graph, region);
     (graph, result)
@@ -28,7 +33,12 @@ fn results_obey_the_laws() {
             wrong.push(format!("{law}\n{}", case.to_text()));
         }
     }
-    assert!(wrong.is_empty(), "{} wrong\n{}", wrong.len(), wrong[..wrong.len().min(8)].join("\n"));
+    assert!(
+        wrong.is_empty(),
+        "{} wrong\n{}",
+        wrong.len(),
+        wrong[..wrong.len().min(8)].join("\n")
+    );
 }
 
 #[test]
@@ -60,7 +70,12 @@ fn results_map_along() {
             }
         }
     }
-    assert!(wrong.is_empty(), "{} wrong\n{}", wrong.len(), wrong[..wrong.len().min(8)].join("\n"));
+    assert!(
+        wrong.is_empty(),
+        "{} wrong\n{}",
+        wrong.len(),
+        wrong[..wrong.len().min(8)].join("\n")
+    );
 }
 
 #[test]
@@ -77,8 +92,18 @@ fn families_obey_the_laws() {
 fn families_are_figures_of_the_asked_size() {
     for (family, seed) in Family::all().into_iter().zip(1..) {
         let case = family.generate(3000, seed);
-        assert!(case.figure().is_ok(), "{}: {:?}", family.name(), case.figure().err());
-        assert!((1500..=6400).contains(&case.size()), "{}: {}", family.name(), case.size());
+        assert!(
+            case.figure().is_ok(),
+            "{}: {:?}",
+            family.name(),
+            case.figure().err()
+        );
+        assert!(
+            (1500..=6400).contains(&case.size()),
+            "{}: {}",
+            family.name(),
+            case.size()
+        );
         assert_eq!(Family::named(family.name()), Some(family), "name");
         assert_eq!(case, family.generate(3000, seed), "deterministic");
     }

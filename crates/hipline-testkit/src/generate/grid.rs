@@ -31,7 +31,7 @@ pub(super) fn cross(a: [Point; 2], b: [Point; 2]) -> bool {
 pub(super) fn overlap(a: [Point; 2], b: [Point; 2]) -> bool {
     let mut common: Vec<Point> = a.into_iter().filter(|&p| is_on(b, p)).collect();
     common.extend(b.into_iter().filter(|&p| is_on(a, p)));
-    common.iter().any(|p| *p != common[0])
+    common.iter().any(|p| p != &common[0])
 }
 
 /// The edges of a ring.

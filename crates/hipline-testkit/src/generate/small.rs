@@ -20,6 +20,8 @@ pub enum Kind {
     Polyomino,
     /// A ring with rings in it.
     Holes,
+    /// A ring with rings in it, one of which touches another in a point.
+    Touching,
     /// Several polygons, beside and inside each other.
     Islands,
     /// A tree of segments.
@@ -38,12 +40,13 @@ pub enum Kind {
 
 impl Kind {
     /// All kinds.
-    pub const ALL: [Self; 12] = [
+    pub const ALL: [Self; 13] = [
         Self::Simple,
         Self::Star,
         Self::Shape,
         Self::Polyomino,
         Self::Holes,
+        Self::Touching,
         Self::Islands,
         Self::Tree,
         Self::Segments,
@@ -78,7 +81,8 @@ pub fn small_of(kind: Kind, seed: u64) -> Case {
         Kind::Star => vec![polygon(vec![star(random, size)])],
         Kind::Shape => vec![polygon(vec![shape(random)])],
         Kind::Polyomino => vec![polygon(polyomino(random))],
-        Kind::Holes => vec![polygon(holes(random))],
+        Kind::Holes => vec![polygon(holes(random, false))],
+        Kind::Touching => vec![polygon(holes(random, true))],
         Kind::Islands => islands(random),
         Kind::Tree => vec![graph(&tree(random, size))],
         Kind::Segments => lines(&segments(random, size, |a, b| !touch(a, b))),
@@ -229,8 +233,8 @@ fn star(random: &mut Random, size: i64) -> Vec<Point> {
     }
 }
 
-/// A ring with up to three smaller ones in it.
-fn holes(random: &mut Random) -> Vec<Vec<Point>> {
+/// A ring with up to three smaller ones in it; if asked for, one contact in a single point.
+fn holes(random: &mut Random, touching: bool) -> Vec<Vec<Point>> {
     let size = random.range(7, 12);
     let shell = match random.below(3) {
         0 => vec![[0, 0], [size, 0], [size, size], [0, size]],
@@ -238,18 +242,47 @@ fn holes(random: &mut Random) -> Vec<Vec<Point>> {
         _ => shape(random),
     };
     let mut rings = vec![shell];
-    for _ in 0..random.range(4, 12) {
+    let mut contacts_left = usize::from(touching);
+    for _ in 0..random.range(4, 12) + if touching { 20 } else { 0 } {
         let hole = small_ring(random, size);
-        let fits = contains(&rings[0], hole[0])
-            && rings.iter().all(|ring| apart(ring, &hole))
+        let Some(contacts) = rings
+            .iter()
+            .map(|ring| contacts(ring, &hole))
+            .sum::<Option<usize>>()
+        else {
+            continue;
+        };
+        let fits = lies_in(&rings[0], &hole)
             && rings[1..]
                 .iter()
-                .all(|ring| !contains(ring, hole[0]) && !contains(&hole, ring[0]));
-        if fits && rings.len() < 4 && rings.iter().map(Vec::len).sum::<usize>() < 14 {
+                .all(|ring| !lies_in(ring, &hole) && !lies_in(&hole, ring));
+        let small = rings.len() < 4 && rings.iter().map(Vec::len).sum::<usize>() < 14;
+        if fits && small && contacts <= contacts_left {
+            contacts_left -= contacts;
             rings.push(hole);
         }
     }
     rings
+}
+
+/// In how many points two rings touch; `None` if they cross or overlap.
+fn contacts(ring: &[Point], other: &[Point]) -> Option<usize> {
+    let clash = |a: [Point; 2]| edges(other).any(|b| cross(a, b) || overlap(a, b));
+    if edges(ring).any(clash) {
+        return None;
+    }
+    let on = |ring: &[Point], p: Point| edges(ring).any(|edge| is_on(edge, p));
+    let mut points: Vec<Point> = other.iter().copied().filter(|&p| on(ring, p)).collect();
+    points.extend(ring.iter().copied().filter(|&p| on(other, p)));
+    points.sort_unstable();
+    points.dedup();
+    Some(points.len())
+}
+
+/// Is a ring, known not to cross another one, inside it? (Up to one point of contact.)
+fn lies_in(outer: &[Point], inner: &[Point]) -> bool {
+    let free = |p: &&Point| !edges(outer).any(|edge| is_on(edge, **p));
+    inner.iter().find(free).is_some_and(|&p| contains(outer, p))
 }
 
 /// A triangle, square, diamond or other little ring somewhere on the grid.
@@ -389,14 +422,23 @@ fn windows(random: &mut Random) -> Vec<[Point; 2]> {
     found
 }
 
-/// A polygon, and segments clear of it.
+/// A polygon and segments that do not cross it; one in two times they may touch it.
 fn mixed(random: &mut Random, size: i64) -> Vec<Part> {
     let ring = if random.one_in(2) {
         star(random, size + 2)
     } else {
         small_ring(random, size)
     };
-    let clear = |segment: &[Point; 2]| edges(&ring).all(|edge| !touch(edge, *segment));
+    let may_touch = random.one_in(2);
+    let clear = |segment: &[Point; 2]| {
+        edges(&ring).all(|edge| {
+            if may_touch {
+                !cross(edge, *segment) && !overlap(edge, *segment)
+            } else {
+                !touch(edge, *segment)
+            }
+        })
+    };
     let mut found = segments(random, size + 2, |a, b| !touch(a, b));
     found.retain(clear);
     found.truncate(4);

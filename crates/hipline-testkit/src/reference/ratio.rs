@@ -228,4 +228,37 @@ mod tests {
             "nothing over zero"
         );
     }
+
+    /// Against the fast numbers, which share no code with these.
+    #[test]
+    fn rounding_agrees_with_the_fast_numbers() {
+        use hipline_num::{Number, Surd, UBig, round_quotient};
+        let radicands = [1_u32, 2, 5, 10, 13, 29, 4];
+        let field = Field::new(&radicands.map(IBig::from));
+        let mut random = crate::generate::Random::new(1);
+        for round in 0..2000 {
+            let mut sum = || {
+                let (mut ours, mut theirs) = (Num::default(), Surd::from_int(IBig::ZERO));
+                for _ in 0..=random.below(4) {
+                    let radicand = *random.pick(&radicands);
+                    let size = if random.one_in(3) { 1 << 60 } else { 20 };
+                    let factor = IBig::from(random.range(-size, size));
+                    ours = ours.plus(&field.root(&radicand.into()).times(&factor));
+                    theirs = theirs.plus(&Surd::scaled_sqrt(factor, &UBig::from(radicand)));
+                }
+                (ours, theirs)
+            };
+            let ((p, p_theirs), (q, q_theirs)) = (sum(), sum());
+            let Some(ratio) = Ratio::new(&field, p, q) else {
+                continue;
+            };
+            let theirs = round_quotient(&p_theirs, &q_theirs, -3);
+            let ours = ratio.round(&field, -3);
+            assert_eq!(
+                ours.to_bits(),
+                (theirs + 0.0).to_bits(),
+                "round {round}: {ours} {theirs}"
+            );
+        }
+    }
 }
