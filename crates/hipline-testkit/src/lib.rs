@@ -5,11 +5,13 @@
 //! - [`reference`](mod@reference): an independent exact engine for small cases
 //! - [`agreement`]: arc for arc, bit for bit
 //! - [`metamorphic`]: maps of cases under which results must map along
-//! - [`reduce`]: the smallest case that still fails
+//! - [`hunt`](mod@hunt): the library against the reference, case by case
+//! - [`reduce`](mod@reduce): the smallest case that still fails
 
 pub mod agreement;
 pub mod case;
 pub mod generate;
+pub mod hunt;
 pub mod metamorphic;
 pub mod reduce;
 pub mod reference;

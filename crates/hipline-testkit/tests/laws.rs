@@ -5,7 +5,7 @@ use hipline_testkit::agreement::drawn_reference;
 use hipline_testkit::case::Case;
 use hipline_testkit::generate::{Family, small};
 use hipline_testkit::metamorphic::Map;
-use hipline_testkit::reference::{Graph, Reference, check_laws, reference};
+use hipline_testkit::reference::{Graph, RefKind, Reference, check_laws, reference};
 
 fn cases() -> u64 {
     std::env::var("HIPLINE_CASES")
@@ -39,6 +39,58 @@ fn results_obey_the_laws() {
         wrong.len(),
         wrong[..wrong.len().min(8)].join("\n")
     );
+}
+
+/// What the random cases are worth: every kind of event must be among them.
+#[test]
+fn cases_cover_the_degeneracies() {
+    let mut seen = std::collections::BTreeMap::new();
+    let mut sizes = [0_usize; 41];
+    for seed in 0..cases() {
+        let case = small(seed);
+        let (graph, result) = run(&case, Region::Both);
+        sizes[graph.edges.len().min(40)] += 1;
+        let degrees = result.degrees();
+        let mut found = std::collections::BTreeSet::new();
+        for arc in &result.arcs {
+            let [from, to] = arc.nodes.map(|node| result.nodes[node].time);
+            let end = if to.is_infinite() {
+                "unbounded"
+            } else if from.total_cmp(&to).is_eq() {
+                if to > 0.0 { "level" } else { "level at 0" }
+            } else {
+                "ordinary"
+            };
+            let weighted = if case.is_weighted() {
+                "weighted"
+            } else {
+                "plain"
+            };
+            found.insert(format!("{weighted} {end} {:?}", arc.kind));
+        }
+        for (node, &degree) in result.nodes.iter().zip(&degrees) {
+            if node.kind == RefKind::Event {
+                found.insert(format!("node of {} arcs", degree.min(9)));
+            }
+        }
+        for what in found {
+            *seen.entry(what).or_insert(0) += 1;
+        }
+    }
+    println!("{seen:#?}\nedges: {sizes:?}");
+    for due in [
+        "plain level Ridge",
+        "plain ordinary Ghost",
+        "plain unbounded Ghost",
+        "weighted level Ridge",
+        "weighted level at 0 Ridge",
+        "weighted ordinary Ghost",
+        "node of 5 arcs",
+        "node of 6 arcs",
+        "node of 8 arcs",
+    ] {
+        assert!(seen.contains_key(due), "no {due} in {seen:?}");
+    }
 }
 
 #[test]

@@ -22,6 +22,8 @@ pub enum Kind {
     Holes,
     /// A ring with rings in it, one of which touches another in a point.
     Touching,
+    /// A ring or segments that a quarter turn maps onto themselves.
+    Symmetric,
     /// Several polygons, beside and inside each other.
     Islands,
     /// A tree of segments.
@@ -40,13 +42,14 @@ pub enum Kind {
 
 impl Kind {
     /// All kinds.
-    pub const ALL: [Self; 13] = [
+    pub const ALL: [Self; 14] = [
         Self::Simple,
         Self::Star,
         Self::Shape,
         Self::Polyomino,
         Self::Holes,
         Self::Touching,
+        Self::Symmetric,
         Self::Islands,
         Self::Tree,
         Self::Segments,
@@ -83,6 +86,7 @@ pub fn small_of(kind: Kind, seed: u64) -> Case {
         Kind::Polyomino => vec![polygon(polyomino(random))],
         Kind::Holes => vec![polygon(holes(random, false))],
         Kind::Touching => vec![polygon(holes(random, true))],
+        Kind::Symmetric => symmetric(random, size),
         Kind::Islands => islands(random),
         Kind::Tree => vec![graph(&tree(random, size))],
         Kind::Segments => lines(&segments(random, size, |a, b| !touch(a, b))),
@@ -420,6 +424,38 @@ fn windows(random: &mut Random) -> Vec<[Point; 2]> {
         found.push([[0, 0], [1, 0]]);
     }
     found
+}
+
+/// A few points or segments of one quadrant, turned by 90, 180 and 270 degrees.
+fn symmetric(random: &mut Random, size: i64) -> Vec<Part> {
+    let turns = |p: Point| {
+        let [x, y] = p;
+        [[x, y], [-y, x], [-x, -y], [y, -x]]
+    };
+    loop {
+        if random.one_in(2) {
+            let mut quarter: Vec<Point> = (0..random.range(1, 4))
+                .map(|_| [random.range(1, size), random.range(0, size)])
+                .collect();
+            quarter.sort_by(|&p, &q| 0.cmp(&area([0, 0], p, q)));
+            quarter.dedup_by(|p, q| area([0, 0], *p, *q) == 0);
+            let ring: Vec<Point> = (0..4)
+                .flat_map(|k| quarter.iter().map(move |&p| turns(p)[k]))
+                .collect();
+            if is_simple(&ring) {
+                return vec![polygon(vec![ring])];
+            }
+        } else {
+            let segment = [grid_point(random, size), grid_point(random, size)];
+            let [starts, ends] = segment.map(turns);
+            let found: Vec<[Point; 2]> = (0..4).map(|k| [starts[k], ends[k]]).collect();
+            let fits = |a: [Point; 2], b: [Point; 2]| !cross(a, b) && !overlap(a, b);
+            let clear = (0..4).all(|i| (0..i).all(|j| fits(found[i], found[j])));
+            if segment[0] != segment[1] && clear {
+                return lines(&found);
+            }
+        }
+    }
 }
 
 /// A polygon and segments that do not cross it; one in two times they may touch it.
