@@ -313,3 +313,46 @@ fn boundaries(skeleton: &Skeleton) -> Vec<String> {
     }
     flaws
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn keys_sort_like_numbers_and_give_them_back() {
+        let numbers = [
+            f64::NEG_INFINITY,
+            -2.5,
+            -1e-300,
+            0.0,
+            1e-300,
+            0.1,
+            7.0,
+            f64::INFINITY,
+        ];
+        for pair in numbers.windows(2) {
+            assert!(key(pair[0]) < key(pair[1]), "{pair:?}");
+        }
+        for x in numbers {
+            assert_eq!(value(key(x)).to_bits(), x.to_bits(), "{x}");
+        }
+        assert_eq!(key(-0.0), key(0.0), "one zero");
+    }
+
+    #[test]
+    fn an_arc_has_one_form_from_either_end() {
+        let ends = [
+            End::new([0.0, 1.0], 0.0, None),
+            End::new([2.0, 1.0], 0.5, None),
+        ];
+        let faces = [(3, Side::Left), (4, Side::End)];
+        let arc = Drawn::new(ends, faces, ArcKind::Valley);
+        let turned = Drawn::new([ends[1], ends[0]], [faces[1], faces[0]], ArcKind::Valley);
+        assert_eq!(arc, turned, "the same arc");
+        assert_eq!(
+            arc.to_string(),
+            "Valley e3 Left | e4 End: (0 1) t=0 -> (2 1) t=0.5",
+            "its text"
+        );
+    }
+}
