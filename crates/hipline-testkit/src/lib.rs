@@ -1,1 +1,19 @@
 //! Generators, the reference engine and the laws that hipline is tested by.
+//!
+//! - [`case`]: one test case as plain data, and the text format of the corpus
+//! - [`generate`]: cases from seeds, small degenerate ones and large families
+//! - [`reference`](mod@reference): an independent exact engine for small cases
+//! - [`agreement`]: arc for arc, bit for bit
+//! - [`metamorphic`]: maps of cases under which results must map along
+//! - [`hunt`](mod@hunt): the library against the reference, case by case
+//! - [`reduce`](mod@reduce): the smallest case that still fails
+
+pub mod agreement;
+pub mod case;
+pub mod generate;
+pub mod hunt;
+pub mod metamorphic;
+pub mod reduce;
+pub mod reference;
+
+pub use case::Case;

@@ -3,7 +3,7 @@
 use super::{
     Edge, Mesh, MeshEdge,
     range::Scale,
-    triangulate::{NONE, coord},
+    delaunay::NONE, triangulate::coord,
 };
 
 /// One side of an edge of the mesh: a side of a triangle, or a hull edge from the outside.

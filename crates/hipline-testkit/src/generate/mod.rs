@@ -1,0 +1,12 @@
+//! Deterministic inputs from seeds.
+
+mod family;
+mod grid;
+mod maze;
+mod random;
+mod shapes;
+mod small;
+
+pub use family::Family;
+pub use random::Random;
+pub use small::{Kind, small, small_of, weigh};

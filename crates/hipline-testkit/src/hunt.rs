@@ -1,0 +1,61 @@
+//! Runs the library against the reference on one case after another.
+
+use std::panic::{AssertUnwindSafe, catch_unwind};
+
+use hipline::Options;
+
+use crate::agreement::compare;
+use crate::case::Case;
+use crate::generate::small;
+use crate::reduce::reduce;
+use crate::reference::{Graph, reference};
+
+/// How the library fails on a case, in words; `None` if it agrees with the reference, or if the
+/// case is not a figure.
+///
+/// A panic counts as a failure; the panic hook still sees it.
+#[must_use]
+pub fn failure(case: &Case) -> Option<String> {
+    let Ok(figure) = catch_unwind(|| case.figure()) else {
+        return Some("the check of the input panics".to_owned());
+    };
+    let figure = figure.ok()?;
+    let graph = Graph::from(&figure);
+    let Ok(expected) = catch_unwind(|| reference(&graph, case.region)) else {
+        return Some("the reference panics".to_owned());
+    };
+    let mut options = Options::default();
+    options.region = case.region;
+    let skeleton = match catch_unwind(AssertUnwindSafe(|| figure.skeleton(options))) {
+        Ok(skeleton) => skeleton,
+        Err(cause) => {
+            let text = cause.downcast_ref::<String>().map(String::as_str);
+            let text = text
+                .or_else(|| cause.downcast_ref::<&str>().copied())
+                .unwrap_or("no message");
+            return Some(format!("the library panics: {text}"));
+        }
+    };
+    compare(&figure, &skeleton, &expected)
+        .err()
+        .map(|difference| difference.to_string())
+}
+
+/// Tries the small cases of some seeds; for each failure, up to `most`, the smallest case that
+/// still fails, and how.
+pub fn hunt(seeds: impl IntoIterator<Item = u64>, most: usize) -> Vec<(Case, String)> {
+    let mut found = Vec::new();
+    for seed in seeds {
+        let case = small(seed);
+        if failure(&case).is_none() {
+            continue;
+        }
+        let smallest = reduce(&case, |case| failure(case).is_some());
+        let how = failure(&smallest).unwrap_or_else(|| "it failed only once".to_owned());
+        found.push((smallest, how));
+        if found.len() >= most {
+            break;
+        }
+    }
+    found
+}
