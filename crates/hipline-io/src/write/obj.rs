@@ -37,6 +37,11 @@ impl<W: Write> ObjWriter<W> {
         }
     }
 
+    /// Ends writing and gives the writer back.
+    pub fn into_inner(self) -> W {
+        self.w
+    }
+
     /// Adds a roof, as an object of its own if it has a name.
     ///
     /// # Errors

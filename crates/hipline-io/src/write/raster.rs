@@ -6,7 +6,7 @@
 
 use resvg::tiny_skia::{Pixmap, PremultipliedColorU8};
 
-use super::palette::Colour;
+use super::{palette::Colour, window::Window};
 
 /// A corner on the screen: x to the right, y down, in pixels; depth grows towards the eye.
 pub(super) type Corner = [f64; 3];
@@ -84,15 +84,23 @@ impl Raster {
     /// Draws a line of some breadth, lifted a little towards the eye.
     pub fn line(&mut self, p: Corner, q: Corner, breadth: f64, lift: f64, colour: Colour) {
         let colour = bytes(colour);
-        let length = (q[0] - p[0]).hypot(q[1] - p[1]);
-        if !length.is_finite() {
-            return;
-        }
-        let steps = (length * 2.0).ceil().max(1.0) as usize;
         let reach = breadth / 2.0;
+        let sides = [self.width as f64 + reach, self.height as f64 + reach];
+        let d: Corner = std::array::from_fn(|k| q[k] - p[k]);
+        // Only what is seen, or a line that is long beyond all measure would take as long.
+        let seen = Window {
+            min: [-reach; 2],
+            max: sides,
+        }
+        .inside([p[0], p[1]], [d[0], d[1]], 1.0);
+        let Some([first, last]) = seen.filter(|_| d.iter().all(|c| c.is_finite())) else {
+            return;
+        };
+        let length = d[0].hypot(d[1]) * (last - first);
+        let steps = (length * 2.0).ceil().max(1.0) as usize;
         for i in 0..=steps {
-            let s = i as f64 / steps as f64;
-            let [x, y, depth]: Corner = std::array::from_fn(|k| p[k] + s * (q[k] - p[k]));
+            let s = first + (last - first) * (i as f64 / steps as f64);
+            let [x, y, depth]: Corner = std::array::from_fn(|k| p[k] + s * d[k]);
             for row in first_centre(y - reach, self.height)..first_centre(y + reach, self.height) {
                 for column in
                     first_centre(x - reach, self.width)..first_centre(x + reach, self.width)
@@ -219,7 +227,10 @@ mod tests {
                 [0.0; 3],
             );
         }
-        raster.line([0.0; 3], [f64::NAN; 3], 1.0, 0.0, [0.0; 3]);
+        for wild in [f64::NAN, f64::INFINITY, 1e300] {
+            raster.line([0.0; 3], [wild; 3], 1.0, 0.0, [0.0; 3]);
+            raster.line([wild, 1.0, 2.0], [-wild; 3], 1.0, 0.0, [0.0; 3]);
+        }
         raster.fill(&[], [0.0; 3]);
         raster.fill(&[vec![]], [0.0; 3]);
     }

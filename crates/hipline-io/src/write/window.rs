@@ -80,7 +80,7 @@ impl Window {
     }
 
     /// The parameters between which `p + s d`, s in `[0, end]`, is inside (Liang, Barsky).
-    fn inside(&self, p: [f64; 2], d: [f64; 2], end: f64) -> Option<[f64; 2]> {
+    pub(super) fn inside(&self, p: [f64; 2], d: [f64; 2], end: f64) -> Option<[f64; 2]> {
         let [mut first, mut last] = [0.0_f64, end];
         for i in 0..2 {
             if d[i] == 0.0 {
@@ -144,7 +144,12 @@ impl Window {
                     clipped.push(cut);
                 }
             }
+            clipped.dedup();
             polygon = clipped;
+        }
+        // A corner of the window may have been cut twice, also across the seam.
+        while polygon.len() > 1 && polygon.first() == polygon.last() {
+            polygon.pop();
         }
         polygon
     }

@@ -167,10 +167,7 @@ fn numbers_are_rounded_correctly() {
 fn errors_name_the_place() {
     let line = |coordinates: &str| err(&geometry("LineString", coordinates));
     assert_eq!(err(""), "GeoJSON: there is no JSON object");
-    assert_eq!(
-        err("[1]"),
-        "GeoJSON: a list where an object should be"
-    );
+    assert_eq!(err("[1]"), "GeoJSON: a list where an object should be");
     assert_eq!(
         err("{\n\"type\":}"),
         "GeoJSON, line 2, column 8: expected value"
@@ -209,7 +206,7 @@ fn errors_name_the_place() {
     );
     assert_eq!(
         line("[[0,0],1]"),
-        "GeoJSON, line 1, column 45: a number among lists of coordinates"
+        "GeoJSON, line 1, column 44: a number among lists of coordinates"
     );
     assert_eq!(
         line("[[[0,0],[1,1]]]"),
