@@ -20,11 +20,9 @@ pub(super) const LABEL: &str = "#4b5058";
 const LIGHT: Colour = [252.0, 236.0, 209.0];
 const SHADE: Colour = [146.0, 167.0, 187.0];
 
-/// Towards the light: the upper left, as cartographers have it.
-const SUN: [f64; 2] = [
-    -std::f64::consts::FRAC_1_SQRT_2,
-    std::f64::consts::FRAC_1_SQRT_2,
-];
+/// Towards the light: the upper left, as cartographers have it, but not on the diagonal, so
+/// that a wall to the north and one to the west differ.
+const SUN: [f64; 2] = [-0.8829, 0.4695];
 
 pub(super) const fn arc(kind: ArcKind) -> &'static str {
     match kind {

@@ -37,7 +37,7 @@ impl Default for RoofView {
             slope: 1.0,
             walls: None,
             azimuth: 28.0,
-            elevation: 42.0,
+            elevation: 34.0,
         }
     }
 }

@@ -125,9 +125,9 @@ struct Canvas {
 impl Canvas {
     fn new(picture: &Picture) -> Self {
         let window = picture.visible();
-        // The more there is to see, the finer: four arcs get 1.6 units, fifty thousand 0.4.
+        // The more there is to see, the finer: four arcs get 2 units, fifty thousand 0.5.
         let arcs: usize = picture.skeletons.iter().map(|s| s.arcs().len()).sum();
-        let pen = (6.0 / (arcs.max(1) as f64).powf(0.25)).clamp(0.25, 1.6);
+        let pen = (7.5 / (arcs.max(1) as f64).powf(0.25)).clamp(0.3, 2.0);
         Self {
             window,
             scale: CANVAS / window.longest_side(),

@@ -224,9 +224,10 @@ impl Window {
             }
             let has_left = infinite.iter().all(|&i| {
                 let [p, q] = [points[i], points[(i + 1) % points.len()]];
-                let is_far = node(i + 1).time.is_infinite();
-                !self.contains(p)
-                    && !(is_far && self.inside(p, [q[0] - p[0], q[1] - p[1]], 1.0).is_some())
+                let d = [q[0] - p[0], q[1] - p[1]];
+                let is_far_side = node(i + 1).time.is_infinite();
+                let is_seen = is_far_side && self.inside(p, d, 1.0).is_some();
+                !(is_seen || self.contains(p))
             });
             if has_left {
                 break;
