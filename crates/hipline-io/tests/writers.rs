@@ -486,7 +486,7 @@ fn png_pictures_have_the_size_asked_for() {
     png(
         |w| write::roof_png(w, &[&skeleton], &view).unwrap(),
         300,
-        203,
+        186,
     );
     for size in [0, 1 << 20] {
         let message = format!("a picture has between 1 and 16384 pixels to a side, not {size}");
