@@ -244,26 +244,4 @@ mod tests {
             "2 features together: feature 4: a point has no edge, so no wavefront starts from it"
         );
     }
-
-    #[test]
-    fn flaws_of_several_features_come_with_a_legend() {
-        let error = FigureError {
-            features: vec![
-                FeatureName { index: 0, id: None },
-                FeatureName {
-                    index: 1,
-                    id: Some("b".to_owned()),
-                },
-            ],
-            parts: vec![0, 1, 1],
-            reason: Reason::Invalid(hipline::InvalidFigure {
-                flaws: vec![hipline::input::Flaw::Empty],
-            }),
-        };
-        assert_eq!(
-            error.to_string(),
-            "2 features together: there is no edge \
-             (part 0 is feature 0, part 1 is feature 1 (\"b\"), part 2 is feature 1 (\"b\"))"
-        );
-    }
 }

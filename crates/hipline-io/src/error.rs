@@ -131,33 +131,42 @@ impl fmt::Display for FigureError {
                 }
                 f.write_str("a point has no edge, so no wavefront starts from it")
             }
-            Reason::Invalid(InvalidFigure { flaws }) => {
-                for (i, flaw) in flaws.iter().enumerate() {
-                    write!(f, "{}{flaw}", if i == 0 { "" } else { "; " })?;
+            Reason::Invalid(InvalidFigure { flaws, .. }) => {
+                let flaws: Vec<_> = flaws.iter().map(ToString::to_string).collect();
+                let flaws = flaws.join("; ");
+                f.write_str(&flaws)?;
+                if self.features.len() > 1 {
+                    self.legend(f, &flaws)?;
                 }
-                self.legend(f)
+                Ok(())
             }
         }
     }
 }
 
 impl FigureError {
-    /// Which part of the figure is which feature, where that is not obvious.
-    fn legend(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        const LONGEST: usize = 16;
-        if self.features.len() < 2 {
-            return Ok(());
+    /// Which feature each part is that the flaws mention.
+    fn legend(&self, f: &mut fmt::Formatter<'_>, flaws: &str) -> fmt::Result {
+        let mut parts: Vec<usize> = flaws
+            .split("part ")
+            .skip(1)
+            .filter_map(|rest| {
+                rest.split(|c: char| !c.is_ascii_digit())
+                    .next()?
+                    .parse()
+                    .ok()
+            })
+            .collect();
+        parts.sort_unstable();
+        parts.dedup();
+        let mut lead = " (";
+        for part in parts {
+            if let Some(&feature) = self.parts.get(part) {
+                write!(f, "{lead}part {part} is of {}", self.features[feature])?;
+                lead = ", ";
+            }
         }
-        f.write_str(" (")?;
-        for (part, &feature) in self.parts.iter().take(LONGEST).enumerate() {
-            let comma = if part == 0 { "" } else { ", " };
-            write!(f, "{comma}part {part} is {}", self.features[feature])?;
-        }
-        f.write_str(if self.parts.len() > LONGEST {
-            ", ...)"
-        } else {
-            ")"
-        })
+        f.write_str(if lead == ", " { ")" } else { "" })
     }
 }
 
@@ -166,6 +175,40 @@ impl std::error::Error for FigureError {
         match &self.reason {
             Reason::Invalid(flaws) => Some(flaws),
             _ => None,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn flaws_of_several_features_come_with_a_legend() {
+        struct Legend<'a>(&'a FigureError, &'a str);
+        impl fmt::Display for Legend<'_> {
+            fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                self.0.legend(f, self.1)
+            }
+        }
+        let name = |index, id: Option<&str>| FeatureName {
+            index,
+            id: id.map(str::to_owned),
+        };
+        let error = FigureError {
+            features: vec![name(0, None), name(1, Some("b"))],
+            parts: vec![0, 1, 1],
+            reason: Reason::Empty,
+        };
+        for (flaws, legend) in [
+            (
+                "part 2, ring 0, edge 3 and part 0, ring 1, edge 0 cross",
+                " (part 0 is of feature 0, part 2 is of feature 1 (\"b\"))",
+            ),
+            ("part 1, part 1", " (part 1 is of feature 1 (\"b\"))"),
+            ("no part of it, and part 7", ""),
+        ] {
+            assert_eq!(Legend(&error, flaws).to_string(), legend);
         }
     }
 }

@@ -77,6 +77,7 @@ pub fn hip_roof() -> Skeleton {
 }
 
 /// The whole plane around the segment 0,0 to 3,0: four unbounded faces, four infinite nodes.
+#[allow(dead_code)]
 pub fn segment() -> Skeleton {
     let infinite = |x: f64, direction: [f64; 2]| Node {
         x,
