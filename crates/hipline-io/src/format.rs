@@ -112,14 +112,7 @@ impl Format {
 
 impl fmt::Display for Format {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::GeoJson => "GeoJSON",
-            Self::Wkt => "WKT",
-            Self::GraphMl => "GraphML",
-            Self::Line => ".line",
-            Self::Poly => ".poly",
-            Self::Obj => "OBJ",
-        })
+        f.write_str(self.name())
     }
 }
 
