@@ -138,6 +138,96 @@ pub struct Skeleton {
 }
 
 impl Skeleton {
+    /// A skeleton from its parts, such as a file holds them; the counts of
+    /// [`Skeleton::stats`] are zero. A face is its edge, its side and its boundary cycles,
+    /// the outer one first.
+    ///
+    /// Only the references are checked; that the parts are the skeleton of anything is
+    /// not.
+    ///
+    /// # Errors
+    /// The first reference that leads nowhere, the first face without a boundary, fewer
+    /// nodes than input vertices, or [`Region::Auto`].
+    pub fn from_parts(
+        nodes: Vec<Node>,
+        arcs: Vec<Arc>,
+        faces: Vec<(EdgeId, Side, Vec<Vec<NodeId>>)>,
+        input: InputGraph,
+        region: Region,
+    ) -> Result<Self, String> {
+        if region == Region::Auto {
+            return Err("the region of a skeleton is interior, exterior or both".to_owned());
+        }
+        if input.vertices > nodes.len() {
+            return Err(format!(
+                "{} nodes cannot hold {} input vertices",
+                nodes.len(),
+                input.vertices
+            ));
+        }
+        for (i, node) in nodes.iter().enumerate() {
+            if matches!(node.kind, NodeKind::Input(v) if v.index() >= input.vertices) {
+                return Err(format!(
+                    "node {i} is {:?}, but there is no such vertex",
+                    node.kind
+                ));
+            }
+        }
+        for (i, edge) in input.edges.iter().enumerate() {
+            if let Some(v) = edge.iter().find(|v| v.index() >= input.vertices) {
+                return Err(format!(
+                    "edge {i} ends at {v:?}, but there is no such vertex"
+                ));
+            }
+        }
+        for (i, arc) in arcs.iter().enumerate() {
+            if let Some(n) = arc.nodes.iter().find(|n| n.index() >= nodes.len()) {
+                return Err(format!("arc {i} ends at {n:?}, but there is no such node"));
+            }
+            if let Some(f) = arc.faces.iter().find(|f| f.index() >= faces.len()) {
+                return Err(format!("arc {i} borders {f:?}, but there is no such face"));
+            }
+        }
+        let mut skeleton = Self {
+            nodes,
+            arcs,
+            faces: Vec::with_capacity(faces.len()),
+            cycles: vec![0],
+            corners: Vec::new(),
+            input,
+            region,
+            stats: Stats::default(),
+        };
+        let index = |n: usize| u32::try_from(n).map_err(|_| "more than 2^32 corners".to_owned());
+        for (i, (edge, side, boundaries)) in faces.into_iter().enumerate() {
+            if edge.index() >= skeleton.input.edges.len() {
+                return Err(format!(
+                    "face {i} starts at {edge:?}, but there is no such edge"
+                ));
+            }
+            if boundaries.is_empty() {
+                return Err(format!("face {i} has no boundary"));
+            }
+            let first = index(skeleton.cycles.len() - 1)?;
+            for boundary in boundaries {
+                if let Some(n) = boundary.iter().find(|n| n.index() >= skeleton.nodes.len()) {
+                    return Err(format!(
+                        "face {i} has the corner {n:?}, but there is no such node"
+                    ));
+                }
+                skeleton.corners.extend(boundary);
+                skeleton.cycles.push(index(skeleton.corners.len())?);
+            }
+            let end = index(skeleton.cycles.len() - 1)?;
+            skeleton.faces.push(Face {
+                edge,
+                side,
+                cycles: [first, end],
+            });
+        }
+        Ok(skeleton)
+    }
+
     /// All nodes; the first [`InputGraph::vertices`] are the input's.
     #[must_use]
     pub fn nodes(&self) -> &[Node] {
