@@ -8,7 +8,7 @@
 //! where the target has one, it computes the same bits.
 //!
 //! The invariant is that of [`Ball`](crate::Ball): the true value lies within e of hi + lo,
-//! e = 0 only if the true value is the integer hi + lo, and a positive e is at least 2^-1000.
+//! e = 0 only if the true value is the integer hi + lo, and a positive e is at least 2^-500.
 
 use crate::dyadic::{is_integer, scale};
 use crate::{Number, Sign};
@@ -34,13 +34,14 @@ const EXACT_F64: f64 = 9_007_199_254_740_992.0;
 /// 1 + 32u: pays for at most 24 roundings in a bound, and for |hi + lo| ≤ (1 + u)·|hi|.
 const SAFETY: f64 = 1.0 + 32.0 * U;
 
-/// 2^-1000, the term that pays for underflow.
+/// 2^-500, the least positive error; it pays for underflow and prevents it in errors.
 ///
 /// If a product of two words is at least 2^-960, its Dekker partial products are multiples
 /// of 2^-1066 and nothing underflows. If it is smaller, the partial products are off by
 /// 2^-1075 each and the sums of them by at most u·2^-960 = 2^-1013 each; there are fewer than ten.
-/// The same holds for the cross products x_hi·y_lo, which are rounded once.
-const TINY: f64 = f64::from_bits(23 << 52);
+/// The same holds for the cross products x_hi·y_lo, which are rounded once. And as in
+/// `Ball`, a product of positive errors stays positive.
+const TINY: f64 = f64::from_bits((1023 - 500) << 52);
 
 /// A double-double with a proven error bound: about 32 decimal digits.
 ///
@@ -344,7 +345,7 @@ impl BallDd {
         Self {
             hi,
             lo,
-            e: scale(self.e, k) + TINY,
+            e: scale(self.e, k) * SAFETY + TINY,
         }
     }
 
@@ -356,7 +357,7 @@ impl BallDd {
         let (vh, vl) = fast_two_sum(sh, sl + th);
         let (hi, lo) = fast_two_sum(vh, tl + vl);
         let s = self.e + ye;
-        let e = (s + hi.abs() * (4.0 * UU)) * SAFETY + TINY;
+        let e = s * SAFETY + (hi.abs() * (4.0 * UU * SAFETY) + TINY);
         let exact = (s == 0.0) & (hi.abs() < EXACT);
         Self {
             hi,
@@ -386,9 +387,8 @@ impl Number for BallDd {
 
     #[inline]
     fn from_i64(i: i64) -> Self {
-        let hi = i as f64;
-        // At most 2^10 in size, so exact.
-        let lo = (i128::from(i) - hi as i128) as f64;
+        // Both halves are f64 numbers, and their exact sum is the pair.
+        let (hi, lo) = fast_two_sum((i >> 32) as f64 * 4_294_967_296.0, (i & 0xffff_ffff) as f64);
         Self { hi, lo, e: 0.0 }
     }
 
@@ -421,8 +421,8 @@ impl Number for BallDd {
         let (hi, lo) = fast_two_sum(ch, cl + cross);
         // As in Ball::times.
         let s = self.hi.abs() * o.e + (o.hi.abs() + o.e) * self.e;
-        let e = (s + hi.abs() * (8.0 * UU)) * SAFETY + TINY;
-        let exact = (s == 0.0) & ((self.e == 0.0) | (o.e == 0.0)) & (hi.abs() < EXACT);
+        let e = s * SAFETY + (hi.abs() * (8.0 * UU * SAFETY) + TINY);
+        let exact = (s == 0.0) & (hi.abs() < EXACT);
         Self {
             hi,
             lo,

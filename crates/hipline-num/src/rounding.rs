@@ -5,7 +5,7 @@
 //! two neighbouring f64 numbers; so once the ends round to neighbours, the quotient is
 //! compared with the number halfway between them, exactly, and the matter is settled.
 
-use crate::dyadic::{f64_to_parts, magnitude_parts, power_of_two};
+use crate::dyadic::{f64_to_parts, magnitude_parts, power_of_two, scale};
 use crate::surd::Surd;
 use crate::surd_sign::{Interval, sign_of};
 use crate::{BallDd, Number, Sign};
@@ -201,17 +201,19 @@ pub fn round_ball_dd(p: &BallDd, q: &BallDd, exponent: i32) -> Option<f64> {
 /// `None` also if the result is not well inside the normal range: exact zero apart.
 #[must_use]
 pub fn round_ball_dd_plus(p: &BallDd, q: &BallDd, exponent: i32, origin: f64) -> Option<f64> {
-    let quotient = p.div(q).ldexp(exponent);
+    let quotient = p.div(q);
     if quotient.value() == 0.0 && quotient.error() == 0.0 {
         return Some(origin + 0.0);
     }
-    let sum = if origin == 0.0 {
-        quotient
+    let result = if origin == 0.0 {
+        // Scaling by a power of two commutes with rounding in the normal range.
+        scale(quotient.rounded_once()?, exponent)
     } else {
-        quotient.plus(&BallDd::from_f64(origin))
+        quotient
+            .ldexp(exponent)
+            .plus(&BallDd::from_f64(origin))
+            .rounded_once()?
     };
-    let result = sum.rounded_once()?;
-    let normal =
-        result == 0.0 || (result.abs() >= power_of_two(-900) && result.abs() <= power_of_two(1000));
-    normal.then_some(result + 0.0)
+    let normal = (power_of_two(-1000)..=power_of_two(1000)).contains(&result.abs());
+    (normal || result == 0.0 && origin != 0.0).then_some(result + 0.0)
 }
