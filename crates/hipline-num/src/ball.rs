@@ -5,7 +5,7 @@
 //! lost by underflow in a product.
 
 use crate::dyadic::{is_integer, scale};
-use crate::{Number, Sign};
+use crate::{BallDd, Number, Sign};
 use dashu_int::IBig;
 
 /// The unit roundoff, 2^-53: |fl(x) − x| ≤ U·|fl(x)| wherever fl(x) is normal.
@@ -85,20 +85,24 @@ impl Ball {
         Self::new(x, 0.0)
     }
 
-    /// The nearest ball to an integer; its error is 0 only if it is that integer.
+    /// A ball near an integer; its error is 0 only if it is that integer.
     #[must_use]
     pub fn from_int(i: &IBig) -> Self {
         if let Ok(i) = i64::try_from(i) {
             return Self::from_i64(i);
         }
-        let v = i.to_f64().value();
-        if !v.is_finite() {
-            return Self::ANY;
-        }
-        let exact = IBig::try_from(v).is_ok_and(|w| w == *i);
-        Self {
-            v,
-            e: if exact { 0.0 } else { v.abs() * (2.0 * U) },
+        let near = BallDd::from_int(i);
+        let exact = near.error() == 0.0 && near.low() == 0.0;
+        // The low word is at most u·|hi|, the error of the pair below u·|hi|/2.
+        let e = if exact {
+            0.0
+        } else {
+            near.value().abs() * (2.0 * U)
+        };
+        if near.error().is_finite() {
+            Self { v: near.value(), e }
+        } else {
+            Self::ANY
         }
     }
 

@@ -12,10 +12,16 @@
 
 use crate::dyadic::{is_integer, scale};
 use crate::{Number, Sign};
-use dashu_int::IBig;
+use dashu_int::{IBig, Word};
 
 /// The unit roundoff, 2^-53.
 const U: f64 = f64::EPSILON / 2.0;
+
+/// The base of the digits of big integers, 2^64 or 2^32.
+const BASE: f64 = f64::from_bits((1023 + Word::BITS as u64) << 52);
+
+/// So many of its digits hold at least 129 bits of a larger integer.
+const LEADING: usize = 128 / Word::BITS as usize + 1;
 
 /// u² = 2^-106.
 const UU: f64 = U * U;
@@ -140,29 +146,40 @@ impl BallDd {
         Self::new(x, 0.0, 0.0)
     }
 
-    /// The nearest double-double to an integer; the error is 0 only if it is that integer.
+    /// A double-double near an integer; the error is 0 only if it is that integer.
     #[must_use]
     pub fn from_int(i: &IBig) -> Self {
-        if let Ok(i) = i64::try_from(i) {
-            return Self::from_i64(i);
+        let (sign, words) = i.as_sign_words();
+        let size = Self::from_words(words);
+        if sign == dashu_int::Sign::Negative {
+            size.negated()
+        } else {
+            size
         }
-        let hi = i.to_f64().value();
-        let Ok(whole) = IBig::try_from(hi) else {
-            return Self::ANY;
-        };
-        let rest = i - whole;
-        let lo = rest.to_f64().value();
-        let exact = IBig::try_from(lo).is_ok_and(|w| w == rest);
-        // |rest − lo| ≤ u·|lo|; twice that covers any direction of rounding.
-        let (hi, lo) = fast_two_sum(hi, lo);
-        if !lo.is_finite() {
-            return Self::ANY;
+    }
+
+    /// The integer with these digits to the base 2^64 (or 2^32), least first.
+    ///
+    /// Horner's rule on the leading 129 bits or more; the sums bound or certify themselves,
+    /// and what is left out is below 2^-128 < u² of the whole.
+    pub(crate) fn from_words(words: &[Word]) -> Self {
+        let rest = words.len().saturating_sub(LEADING);
+        let mut sum = Self::zero();
+        for &word in words[rest..].iter().rev() {
+            #[allow(clippy::useless_conversion, reason = "the width depends on the target")]
+            let word = u64::from(word);
+            let (high, low) = ((word >> 32) as f64, (word & 0xffff_ffff) as f64);
+            let (hi, lo) = fast_two_sum(high * 4_294_967_296.0, low);
+            sum.hi *= BASE;
+            sum.lo *= BASE;
+            sum.e *= BASE;
+            sum = sum.sum(hi, lo, 0.0);
         }
-        Self {
-            hi,
-            lo,
-            e: if exact { 0.0 } else { hi.abs() * (4.0 * UU) },
+        if rest > 0 {
+            sum.e += sum.hi * UU;
+            sum = sum.ldexp(i32::try_from(rest * Word::BITS as usize).unwrap_or(i32::MAX));
         }
+        sum
     }
 
     /// The middle of the ball, rounded to f64.

@@ -105,7 +105,7 @@ fn close_calls_go_the_right_way() {
 fn signs_agree_with_the_oracle() {
     let mut r = Random(SEED);
     let mut told = 0;
-    for case in 0..3000 {
+    for case in 0..1200 {
         let bits = 1 + r.below(200);
         let radicand_bits = 1 + r.below(120);
         let count = 1 + r.below(6);
@@ -133,13 +133,13 @@ fn signs_agree_with_the_oracle() {
             );
         }
     }
-    assert!(told > 2500, "the oracle told {told}");
+    assert!(told > 900, "the oracle told {told}");
 }
 
 #[test]
 fn rings_agree_with_the_oracle() {
     let mut r = Random(SEED);
-    for case in 0..300 {
+    for case in 0..150 {
         let mut make = || {
             let terms: Vec<_> = (0..3).map(|_| (r.int(30), r.positive(30))).collect();
             (surd(&terms), slow(&terms))
@@ -182,7 +182,7 @@ fn rings_agree_with_the_oracle() {
 #[test]
 fn signs_with_a_nested_root_agree_with_the_oracle() {
     let mut r = Random(SEED);
-    for case in 0..500 {
+    for case in 0..250 {
         let mut make = |bits| {
             let terms: Vec<_> = (0..3).map(|_| (r.int(bits), r.positive(30))).collect();
             (surd(&terms), slow(&terms))
