@@ -1,11 +1,11 @@
 //! The first rung: an f64 and a bound on its error.
 //!
 //! u = 2^-53 below. The invariant: the true value lies in [v − e, v + e], and *e = 0 only if
-//! the true value is the integer v*. A positive e is never below 2^-1022, so it cannot get
-//! lost by underflow in a product with an integer.
+//! the true value is the integer v*. A positive e is never below 2^-500, so it cannot get
+//! lost by underflow in a product.
 
 use crate::dyadic::{is_integer, scale};
-use crate::{Number, Sign};
+use crate::{BallDd, Number, Sign};
 use dashu_int::IBig;
 
 /// The unit roundoff, 2^-53: |fl(x) − x| ≤ U·|fl(x)| wherever fl(x) is normal.
@@ -24,11 +24,13 @@ const EXACT: f64 = 9_007_199_254_740_992.0;
 /// (1 − u)^12·(1 + 16u) ≥ (1 − 12u)(1 + 16u) > 1.
 const SAFETY: f64 = 1.0 + 16.0 * U;
 
-/// 2^-1022, the term that pays for underflow.
+/// 2^-500, the least positive error.
 ///
-/// An operation whose result is subnormal adds at most 2^-1075; a bound has fewer than ten.
-/// It also keeps every inexact ball's error away from 0.
-const TINY: f64 = f64::MIN_POSITIVE;
+/// It pays for underflow: an operation whose result is subnormal adds at most 2^-1075, and
+/// a bound has fewer than ten. And it is so large that a product of two positive errors does not
+/// underflow: a propagated error of 0 means that there is none. Quantities are polynomials
+/// in integers and their roots; what is lost on numbers below 2^-500 is never missed.
+const TINY: f64 = f64::from_bits((1023 - 500) << 52);
 
 /// An f64 with a proven error bound.
 ///
@@ -83,20 +85,24 @@ impl Ball {
         Self::new(x, 0.0)
     }
 
-    /// The nearest ball to an integer; its error is 0 only if it is that integer.
+    /// A ball near an integer; its error is 0 only if it is that integer.
     #[must_use]
     pub fn from_int(i: &IBig) -> Self {
         if let Ok(i) = i64::try_from(i) {
             return Self::from_i64(i);
         }
-        let v = i.to_f64().value();
-        if !v.is_finite() {
-            return Self::ANY;
-        }
-        let exact = IBig::try_from(v).is_ok_and(|w| w == *i);
-        Self {
-            v,
-            e: if exact { 0.0 } else { v.abs() * (2.0 * U) },
+        let near = BallDd::from_int(i);
+        let exact = near.error() == 0.0 && near.low() == 0.0;
+        // The low word is at most u·|hi|, the error of the pair below u·|hi|/2.
+        let e = if exact {
+            0.0
+        } else {
+            near.value().abs() * (2.0 * U)
+        };
+        if near.error().is_finite() {
+            Self { v: near.value(), e }
+        } else {
+            Self::ANY
         }
     }
 
@@ -157,7 +163,7 @@ impl Ball {
     /// The quotient; nothing is known of it if the divisor may be 0.
     ///
     /// With q = a/b: |x/y − q| = |(x − a) − q·(y − b)| / |y| ≤ (ea + |q|·eb) / (|b| − eb).
-    /// |q| is taken up by 2^-1022 in case it underflowed, and eb is divided first, so that
+    /// |q| is taken up by 2^-500 in case it underflowed, and eb is divided first, so that
     /// an underflow there (at most 2^-1075) is multiplied by |q| only and vanishes in u·|q|.
     #[inline]
     #[must_use]
@@ -236,17 +242,24 @@ impl Ball {
         }
         Self {
             v,
-            e: scale(self.e, k) + TINY,
+            e: scale(self.e, k) * SAFETY + TINY,
         }
     }
 
     /// The ball from a rounded result and the propagated error, unless certified exact.
+    ///
+    /// The error of rounding is bounded apart, while the propagated error is still in the
+    /// making: the chain of dependent flops is what the time goes into.
     #[inline(always)]
-    fn rounded(v: f64, propagated: f64, exact: bool) -> Self {
-        let e = (propagated + v.abs() * U) * SAFETY + TINY;
+    fn rounded(v: f64, propagated: f64) -> Self {
+        let e = propagated * SAFETY + (v.abs() * (U * SAFETY) + TINY);
         Self {
             v,
-            e: if exact & (v.abs() < EXACT) { 0.0 } else { e },
+            e: if (propagated == 0.0) & (v.abs() < EXACT) {
+                0.0
+            } else {
+                e
+            },
         }
     }
 }
@@ -271,25 +284,24 @@ impl Number for Ball {
     #[inline]
     fn plus(&self, o: &Self) -> Self {
         let s = self.e + o.e;
-        Self::rounded(self.v + o.v, s, s == 0.0)
+        Self::rounded(self.v + o.v, s)
     }
 
     #[inline]
     fn minus(&self, o: &Self) -> Self {
         let s = self.e + o.e;
-        Self::rounded(self.v - o.v, s, s == 0.0)
+        Self::rounded(self.v - o.v, s)
     }
 
     /// |x·y − fl(a·b)| ≤ |a|·eb + (|b| + eb)·ea + u·|fl(a·b)|.
     ///
-    /// Exact are integer times integer, and the integer 0 times anything: if ea = 0, then |a|
-    /// is 0 or at least 1, and the propagated error, |a|·eb with eb = 0 or eb ≥ 2^-1022, is
-    /// 0 in just these cases. (If neither is 0, it might have become 0 by underflow.)
+    /// Exact are integer times integer, and the integer 0 times anything. The propagated error
+    /// is 0 in just these cases: if ea and eb are positive, ea·eb ≥ 2^-1000; and if ea = 0,
+    /// then |a| is 0 or at least 1.
     #[inline]
     fn times(&self, o: &Self) -> Self {
         let s = self.v.abs() * o.e + (o.v.abs() + o.e) * self.e;
-        let one_exact = (self.e == 0.0) | (o.e == 0.0);
-        Self::rounded(self.v * o.v, s, (s == 0.0) & one_exact)
+        Self::rounded(self.v * o.v, s)
     }
 
     #[inline]

@@ -8,14 +8,20 @@
 //! where the target has one, it computes the same bits.
 //!
 //! The invariant is that of [`Ball`](crate::Ball): the true value lies within e of hi + lo,
-//! e = 0 only if the true value is the integer hi + lo, and a positive e is at least 2^-1000.
+//! e = 0 only if the true value is the integer hi + lo, and a positive e is at least 2^-500.
 
 use crate::dyadic::{is_integer, scale};
 use crate::{Number, Sign};
-use dashu_int::IBig;
+use dashu_int::{IBig, Word};
 
 /// The unit roundoff, 2^-53.
 const U: f64 = f64::EPSILON / 2.0;
+
+/// The base of the digits of big integers, 2^64 or 2^32.
+const BASE: f64 = f64::from_bits((1023 + Word::BITS as u64) << 52);
+
+/// So many of its digits hold at least 129 bits of a larger integer.
+const LEADING: usize = 128 / Word::BITS as usize + 1;
 
 /// u² = 2^-106.
 const UU: f64 = U * U;
@@ -34,13 +40,14 @@ const EXACT_F64: f64 = 9_007_199_254_740_992.0;
 /// 1 + 32u: pays for at most 24 roundings in a bound, and for |hi + lo| ≤ (1 + u)·|hi|.
 const SAFETY: f64 = 1.0 + 32.0 * U;
 
-/// 2^-1000, the term that pays for underflow.
+/// 2^-500, the least positive error; it pays for underflow and prevents it in errors.
 ///
 /// If a product of two words is at least 2^-960, its Dekker partial products are multiples
 /// of 2^-1066 and nothing underflows. If it is smaller, the partial products are off by
 /// 2^-1075 each and the sums of them by at most u·2^-960 = 2^-1013 each; there are fewer than ten.
-/// The same holds for the cross products x_hi·y_lo, which are rounded once.
-const TINY: f64 = f64::from_bits(23 << 52);
+/// The same holds for the cross products x_hi·y_lo, which are rounded once. And as in
+/// `Ball`, a product of positive errors stays positive.
+const TINY: f64 = f64::from_bits((1023 - 500) << 52);
 
 /// A double-double with a proven error bound: about 32 decimal digits.
 ///
@@ -139,29 +146,40 @@ impl BallDd {
         Self::new(x, 0.0, 0.0)
     }
 
-    /// The nearest double-double to an integer; the error is 0 only if it is that integer.
+    /// A double-double near an integer; the error is 0 only if it is that integer.
     #[must_use]
     pub fn from_int(i: &IBig) -> Self {
-        if let Ok(i) = i64::try_from(i) {
-            return Self::from_i64(i);
+        let (sign, words) = i.as_sign_words();
+        let size = Self::from_words(words);
+        if sign == dashu_int::Sign::Negative {
+            size.negated()
+        } else {
+            size
         }
-        let hi = i.to_f64().value();
-        let Ok(whole) = IBig::try_from(hi) else {
-            return Self::ANY;
-        };
-        let rest = i - whole;
-        let lo = rest.to_f64().value();
-        let exact = IBig::try_from(lo).is_ok_and(|w| w == rest);
-        // |rest − lo| ≤ u·|lo|; twice that covers any direction of rounding.
-        let (hi, lo) = fast_two_sum(hi, lo);
-        if !lo.is_finite() {
-            return Self::ANY;
+    }
+
+    /// The integer with these digits to the base 2^64 (or 2^32), least first.
+    ///
+    /// Horner's rule on the leading 129 bits or more; the sums bound or certify themselves,
+    /// and what is left out is below 2^-128 < u² of the whole.
+    pub(crate) fn from_words(words: &[Word]) -> Self {
+        let rest = words.len().saturating_sub(LEADING);
+        let mut sum = Self::zero();
+        for &word in words[rest..].iter().rev() {
+            #[allow(clippy::useless_conversion, reason = "the width depends on the target")]
+            let word = u64::from(word);
+            let (high, low) = ((word >> 32) as f64, (word & 0xffff_ffff) as f64);
+            let (hi, lo) = fast_two_sum(high * 4_294_967_296.0, low);
+            sum.hi *= BASE;
+            sum.lo *= BASE;
+            sum.e *= BASE;
+            sum = sum.sum(hi, lo, 0.0);
         }
-        Self {
-            hi,
-            lo,
-            e: if exact { 0.0 } else { hi.abs() * (4.0 * UU) },
+        if rest > 0 {
+            sum.e += sum.hi * UU;
+            sum = sum.ldexp(i32::try_from(rest * Word::BITS as usize).unwrap_or(i32::MAX));
         }
+        sum
     }
 
     /// The middle of the ball, rounded to f64.
@@ -344,7 +362,7 @@ impl BallDd {
         Self {
             hi,
             lo,
-            e: scale(self.e, k) + TINY,
+            e: scale(self.e, k) * SAFETY + TINY,
         }
     }
 
@@ -356,7 +374,7 @@ impl BallDd {
         let (vh, vl) = fast_two_sum(sh, sl + th);
         let (hi, lo) = fast_two_sum(vh, tl + vl);
         let s = self.e + ye;
-        let e = (s + hi.abs() * (4.0 * UU)) * SAFETY + TINY;
+        let e = s * SAFETY + (hi.abs() * (4.0 * UU * SAFETY) + TINY);
         let exact = (s == 0.0) & (hi.abs() < EXACT);
         Self {
             hi,
@@ -386,9 +404,8 @@ impl Number for BallDd {
 
     #[inline]
     fn from_i64(i: i64) -> Self {
-        let hi = i as f64;
-        // At most 2^10 in size, so exact.
-        let lo = (i128::from(i) - hi as i128) as f64;
+        // Both halves are f64 numbers, and their exact sum is the pair.
+        let (hi, lo) = fast_two_sum((i >> 32) as f64 * 4_294_967_296.0, (i & 0xffff_ffff) as f64);
         Self { hi, lo, e: 0.0 }
     }
 
@@ -421,8 +438,8 @@ impl Number for BallDd {
         let (hi, lo) = fast_two_sum(ch, cl + cross);
         // As in Ball::times.
         let s = self.hi.abs() * o.e + (o.hi.abs() + o.e) * self.e;
-        let e = (s + hi.abs() * (8.0 * UU)) * SAFETY + TINY;
-        let exact = (s == 0.0) & ((self.e == 0.0) | (o.e == 0.0)) & (hi.abs() < EXACT);
+        let e = s * SAFETY + (hi.abs() * (8.0 * UU * SAFETY) + TINY);
+        let exact = (s == 0.0) & (hi.abs() < EXACT);
         Self {
             hi,
             lo,

@@ -5,7 +5,7 @@
 //! two neighbouring f64 numbers; so once the ends round to neighbours, the quotient is
 //! compared with the number halfway between them, exactly, and the matter is settled.
 
-use crate::dyadic::{f64_to_parts, magnitude_parts, power_of_two};
+use crate::dyadic::{f64_to_parts, magnitude_parts, power_of_two, scale};
 use crate::surd::Surd;
 use crate::surd_sign::{Interval, sign_of};
 use crate::{BallDd, Number, Sign};
@@ -29,7 +29,7 @@ use std::cmp::Ordering;
 /// ```
 #[must_use]
 pub fn round_quotient(p: &Surd, q: &Surd, exponent: i32) -> f64 {
-    round(p, q, i64::from(exponent))
+    by_double_double(p, q, exponent, 0.0).unwrap_or_else(|| round(p, q, exponent))
 }
 
 /// The f64 nearest to p/q·2^exponent + origin, ties to even, as [`round_quotient`].
@@ -43,8 +43,18 @@ pub fn round_quotient_plus(p: &Surd, q: &Surd, exponent: i32, origin: f64) -> f6
     if offset.is_zero() {
         return round_quotient(p, q, exponent);
     }
-    let (p, scale) = add_dyadic(p, q, exponent, &offset, t);
-    round(&p, q, i64::from(scale))
+    by_double_double(p, q, exponent, origin).unwrap_or_else(|| {
+        let (p, scale) = add_dyadic(p, q, exponent, &offset, t);
+        round(&p, q, scale)
+    })
+}
+
+/// The answer of the filter, if it has one and is worth asking: integers are divided as fast.
+fn by_double_double(p: &Surd, q: &Surd, exponent: i32, origin: f64) -> Option<f64> {
+    if p.radicals() == 0 && q.radicals() == 0 {
+        return None;
+    }
+    round_ball_dd_plus(&p.to_ball_dd(), &q.to_ball_dd(), exponent, origin)
 }
 
 /// p' and s with p/q·2^e + m·2^t = p'/q·2^s.
@@ -81,7 +91,8 @@ pub fn compare_quotient_f64(
     (difference * divisor).ordering()
 }
 
-fn round(p: &Surd, q: &Surd, exponent: i64) -> f64 {
+fn round(p: &Surd, q: &Surd, exponent: i32) -> f64 {
+    let exponent = i64::from(exponent);
     let divisor = q.exact_sign();
     assert!(!divisor.is_zero(), "the quotient has divisor zero");
     let sign = p.exact_sign() * divisor;
@@ -96,8 +107,8 @@ fn round(p: &Surd, q: &Surd, exponent: i64) -> f64 {
 
 /// |p/q|·2^exponent rounded, for p and q that are not zero.
 fn round_size(p: &Surd, q: &Surd, exponent: i64) -> f64 {
-    // The relative width is about 2^-bits only if nothing cancels; if it does, the loop
-    // goes on until the enclosure is good enough.
+    // The relative width is about 2^-bits if nothing cancels, and a double-double has tried;
+    // if something does, the loop goes on until the enclosure is good enough.
     let mut bits = 128;
     loop {
         if let (Some((pl, ph)), Some((ql, qh))) =
@@ -201,17 +212,19 @@ pub fn round_ball_dd(p: &BallDd, q: &BallDd, exponent: i32) -> Option<f64> {
 /// `None` also if the result is not well inside the normal range: exact zero apart.
 #[must_use]
 pub fn round_ball_dd_plus(p: &BallDd, q: &BallDd, exponent: i32, origin: f64) -> Option<f64> {
-    let quotient = p.div(q).ldexp(exponent);
+    let quotient = p.div(q);
     if quotient.value() == 0.0 && quotient.error() == 0.0 {
         return Some(origin + 0.0);
     }
-    let sum = if origin == 0.0 {
-        quotient
+    let result = if origin == 0.0 {
+        // Scaling by a power of two commutes with rounding in the normal range.
+        scale(quotient.rounded_once()?, exponent)
     } else {
-        quotient.plus(&BallDd::from_f64(origin))
+        quotient
+            .ldexp(exponent)
+            .plus(&BallDd::from_f64(origin))
+            .rounded_once()?
     };
-    let result = sum.rounded_once()?;
-    let normal =
-        result == 0.0 || (result.abs() >= power_of_two(-900) && result.abs() <= power_of_two(1000));
-    normal.then_some(result + 0.0)
+    let normal = (power_of_two(-1000)..=power_of_two(1000)).contains(&result.abs());
+    (normal || result == 0.0 && origin != 0.0).then_some(result + 0.0)
 }

@@ -9,7 +9,6 @@ use crate::square::perfect_root;
 use crate::{Number, Sign};
 use dashu_int::ops::Gcd;
 use dashu_int::{IBig, UBig};
-use smallvec::SmallVec;
 use std::cmp::Ordering;
 use std::fmt;
 
@@ -20,7 +19,8 @@ pub(crate) struct Term {
     pub(crate) coefficient: IBig,
 }
 
-pub(crate) type Terms = SmallVec<[Term; 4]>;
+/// In a `Vec`, so that integers, the most frequent surds, are moved and dropped at little cost.
+pub(crate) type Terms = Vec<Term>;
 
 /// An exact number: a sum of integer multiples of square roots of positive integers.
 ///
@@ -46,7 +46,7 @@ impl Surd {
     pub fn from_int(i: IBig) -> Self {
         Self {
             rational: i,
-            terms: SmallVec::new(),
+            terms: Terms::new(),
         }
     }
 
@@ -65,11 +65,10 @@ impl Surd {
         if let Some(root) = perfect_root(r) {
             return Self::from_int(c * root);
         }
-        let mut terms = SmallVec::new();
-        terms.push(Term {
+        let terms = vec![Term {
             radicand: r.clone(),
             coefficient: c,
-        });
+        }];
         Self {
             rational: IBig::ZERO,
             terms,
@@ -100,12 +99,14 @@ impl Surd {
         if i.is_zero() {
             return Self::zero();
         }
-        let mut result = self.clone();
-        result.rational *= i;
-        for term in &mut result.terms {
-            term.coefficient *= i;
+        let times = |t: &Term| Term {
+            radicand: t.radicand.clone(),
+            coefficient: &t.coefficient * i,
+        };
+        Self {
+            rational: &self.rational * i,
+            terms: self.terms.iter().map(times).collect(),
         }
-        result
     }
 
     /// The product with 2^k.
@@ -143,7 +144,7 @@ impl Surd {
                 t.coefficient.clone()
             },
         };
-        let mut terms = Terms::new();
+        let mut terms = Terms::with_capacity(self.terms.len() + o.terms.len());
         let (mut a, mut b) = (self.terms.iter().peekable(), o.terms.iter().peekable());
         loop {
             let order = match (a.peek(), b.peek()) {
@@ -181,13 +182,16 @@ impl Surd {
     /// comes out of the root, and if both are, nothing of the root remains.
     fn add_product(&mut self, c: IBig, r: &UBig, s: &UBig) {
         let g = r.gcd(s);
-        let coprime = g.is_one();
-        let (r, s) = if coprime {
-            (r.clone(), s.clone())
-        } else {
-            (r / &g, s / &g)
-        };
-        let mut c = if coprime { c } else { c * g };
+        if g.is_one() {
+            // Neither is a perfect square, and coprime as they are, nor is their product.
+            self.terms.push(Term {
+                radicand: r * s,
+                coefficient: c,
+            });
+            return;
+        }
+        let (r, s) = (r / &g, s / &g);
+        let mut c = c * g;
         let mut radicand = UBig::ONE;
         for cofactor in [r, s] {
             match perfect_root(&cofactor) {
@@ -244,6 +248,8 @@ impl Number for Surd {
             return o.times_int(i);
         }
         let mut product = Self::from_int(&self.rational * &o.rational);
+        let pairs = (self.terms.len() + 1) * (o.terms.len() + 1);
+        product.terms.reserve(pairs - 1);
         for (a, b) in [(self, o), (o, self)] {
             if !a.rational.is_zero() {
                 product.terms.extend(b.terms.iter().map(|t| Term {

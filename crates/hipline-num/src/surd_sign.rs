@@ -92,7 +92,7 @@ impl Surd {
     pub fn to_ball_dd(&self) -> BallDd {
         let mut sum = BallDd::from_int(&self.rational);
         for t in &self.terms {
-            let root = BallDd::from_int(t.radicand.as_ibig()).sqrt();
+            let root = BallDd::from_words(t.radicand.as_words()).sqrt();
             sum = sum.plus(&BallDd::from_int(&t.coefficient).times(&root));
         }
         sum
