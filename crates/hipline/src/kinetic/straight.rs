@@ -159,7 +159,18 @@ impl Kinetic<'_> {
             self.take_out(p, trace.inn);
             if starting {
                 self.front.trace_mut(p).end = End::At(self.front.trace(v).born);
-                self.front.after_base[slow as usize] = Walk::Down(p);
+                // Of several bases on one plane, the last one ends at v.
+                let mut last = slow;
+                while self.front.after_base[last as usize] != Walk::Up(v) {
+                    let Walk::Up(ghost) = self.front.after_base[last as usize] else {
+                        unreachable!("bases on one line are linked through their ghosts")
+                    };
+                    let Walk::Base(after) = self.front.trace(ghost).after_down else {
+                        unreachable!("bases on one line are linked through their ghosts")
+                    };
+                    last = after;
+                }
+                self.front.after_base[last as usize] = Walk::Down(p);
                 self.front.end_moves(p, v);
                 return;
             }

@@ -44,6 +44,20 @@ impl Landings {
     }
 }
 
+/// Where a ghost arc meets the boundary of the joint face.
+#[derive(Clone)]
+enum Hit {
+    /// At a node.
+    Node(u32),
+    /// Inside of a trace.
+    Inside(Place),
+    /// Inside of a trace that passes through the ghost arc's very start: the arc has length
+    /// zero, because its face was overrun at time zero.
+    Start,
+    /// Nowhere.
+    Infinity,
+}
+
 /// A stretch of a joint face's boundary that bounds it from above.
 struct Ceiling {
     walk: Walk,
@@ -123,7 +137,7 @@ impl Assembly<'_> {
         &self,
         faces: &[u32],
         mut ghosts: Vec<TraceId>,
-        found: &mut Vec<(TraceId, Option<Place>, Walk)>,
+        found: &mut Vec<(TraceId, Hit, Walk)>,
     ) {
         let plane = self.front.wave(self.front.trace(ghosts[0]).inn).plane;
         let place = |node: u32| self.places[node as usize].as_ref().expect("a finite node");
@@ -137,7 +151,7 @@ impl Assembly<'_> {
         for ghost in ghosts {
             let born = self.front.trace(ghost).born;
             let at = self.approximate(born, plane);
-            let mut best: Option<(Place, Walk)> = None;
+            let mut best: Option<(Place, Hit, Walk)> = None;
             // A face without weights is monotone: its ceilings lie side by side, from high to
             // low, so one can stop a little after the last that comes into question.
             let monotone = self.planes.is_unweighted();
@@ -151,21 +165,26 @@ impl Assembly<'_> {
                     }
                     continue;
                 }
-                let Some(place) = self.meet_ceiling(born, ceiling, plane) else { continue };
-                let start = self.places[born as usize].as_ref().expect("a finite node");
-                let nearer = best.as_ref().is_none_or(|(other, _)| {
-                    self.planes.compare_times(&place, other) == Ordering::Less
+                let Some(hit) = self.meet_ceiling(born, ceiling, plane) else { continue };
+                let (at, may_start) = match &hit {
+                    Hit::Node(node) => (*place(*node), false),
+                    Hit::Inside(place) => (*place, true),
+                    Hit::Start | Hit::Infinity => (*place(born), true),
+                };
+                let after_start = self.planes.compare_times(&at, place(born));
+                let nearer = best.as_ref().is_none_or(|(other, ..)| {
+                    self.planes.compare_times(&at, other) == Ordering::Less
                 });
-                if nearer && self.planes.compare_times(&place, start).is_gt() {
-                    best = Some((place, ceiling.walk));
+                if nearer && (after_start.is_gt() || after_start.is_eq() && may_start) {
+                    best = Some((at, hit, ceiling.walk));
                 }
             }
-            if let Some((place, walk)) = best {
-                found.push((ghost, Some(place), walk));
+            if let Some((_, hit, walk)) = best {
+                found.push((ghost, hit, walk));
             } else {
                 let jump = self.jump_over(&mut jumps, born, plane);
                 let before = std::mem::replace(jump, Walk::Up(ghost));
-                found.push((ghost, None, before));
+                found.push((ghost, Hit::Infinity, before));
             }
         }
     }
@@ -249,19 +268,19 @@ impl Assembly<'_> {
     }
 
     /// Where the perpendicular through a node meets a ceiling, if it does.
-    fn meet_ceiling(&self, born: u32, ceiling: &Ceiling, plane: PlaneId) -> Option<Place> {
+    fn meet_ceiling(&self, born: u32, ceiling: &Ceiling, plane: PlaneId) -> Option<Hit> {
         let place = |node: u32| self.places[node as usize].as_ref().expect("a finite node");
         let against = |node: Option<u32>| {
             node.map(|node| self.planes.compare_along(place(node), place(born), plane))
         };
         match against(ceiling.ends[1]) {
             Some(Ordering::Greater) => return None,
-            Some(Ordering::Equal) => return ceiling.ends[1].map(|node| place(node).clone()),
+            Some(Ordering::Equal) => return ceiling.ends[1].map(Hit::Node),
             _ => {}
         }
         match against(ceiling.ends[0]) {
             Some(Ordering::Less) => return None,
-            Some(Ordering::Equal) => return ceiling.ends[0].map(|node| place(node).clone()),
+            Some(Ordering::Equal) => return ceiling.ends[0].map(Hit::Node),
             _ => {}
         }
         let (Walk::Up(x) | Walk::Down(x)) = ceiling.walk else { unreachable!("a trace") };
@@ -271,12 +290,12 @@ impl Assembly<'_> {
             let [Some(node), _] = ceiling.ends else { unreachable!("level arcs are finite") };
             match place(node) {
                 Place::Event { moment, .. } => Bound::Level(*moment),
-                _ => unreachable!("level arcs join events"),
+                _ => return Some(Hit::Start),
             }
         } else {
             Bound::Pair(trace.pair)
         };
-        Some(Place::Foot { start: self.start_of(born), plane, bound })
+        Some(Hit::Inside(Place::Foot { start: self.start_of(born), plane, bound }))
     }
 
     /// The walk after which the boundary jumps, at infinity, over the perpendicular through
@@ -297,53 +316,49 @@ impl Assembly<'_> {
     }
 
     /// Makes nodes of the ends, one for each place.
-    fn name_ends(&mut self, found: Vec<(TraceId, Option<Place>, Walk)>) -> Landings {
+    fn name_ends(&mut self, found: Vec<(TraceId, Hit, Walk)>) -> Landings {
         // Ends inside of traces, sorted along each trace.
-        let mut inside: Vec<(TraceId, usize)> = Vec::new();
-        for (i, (_, place, walk)) in found.iter().enumerate() {
+        let mut inside: Vec<(TraceId, usize, Place)> = Vec::new();
+        for (i, (ghost, hit, walk)) in found.iter().enumerate() {
             let (Walk::Up(x) | Walk::Down(x)) = *walk else { unreachable!("a trace") };
-            if matches!(place, Some(Place::Foot { .. })) {
-                inside.push((x, i));
+            match hit {
+                Hit::Inside(place) => inside.push((x, i, *place)),
+                Hit::Start => {
+                    let born = self.front.trace(*ghost).born;
+                    inside.push((x, i, self.start_of(born).into()));
+                }
+                Hit::Node(_) | Hit::Infinity => {}
             }
         }
-        let foot = |i: usize| found[i].1.as_ref().expect("it has a foot");
         let planes = self.planes;
-        inside.sort_by(|&(x, i), &(y, j)| {
-            x.cmp(&y).then_with(|| {
-                let order = planes.compare_times(foot(i), foot(j));
-                order.then_with(|| self.along_level(x, foot(i), foot(j)))
+        inside.sort_by(|(x, _, p), (y, _, q)| {
+            x.cmp(y).then_with(|| {
+                planes.compare_times(p, q).then_with(|| self.along_level(*x, p, q))
             })
         });
         let mut ends = vec![None; found.len()];
         let mut cuts: Vec<(TraceId, u32)> = Vec::new();
-        let mut last: Option<(TraceId, usize)> = None;
-        for &(x, i) in &inside {
-            let same = last.is_some_and(|(y, j)| {
-                x == y && planes.compare_points(foot(i), foot(j)).is_eq()
-            });
-            if !same {
-                self.places.push(Some(foot(i).clone()));
-                cuts.push((x, self.places.len() as u32 - 1));
-            }
-            ends[i] = Some(self.places.len() as u32 - 1);
-            last = Some((x, i));
-        }
-        let mut ghosts: Vec<Landing> = Vec::with_capacity(found.len());
-        for (i, (ghost, place, walk)) in found.into_iter().enumerate() {
-            let end = match (place, ends[i]) {
-                (None, _) => None,
-                (_, Some(node)) => Some(node),
-                // An end of the walk's trace: one of its nodes.
-                (Some(place), None) => {
-                    let (Walk::Up(x) | Walk::Down(x)) = walk else { unreachable!("a trace") };
-                    let trace = self.front.trace(x);
-                    let at_born = self.places[trace.born as usize].as_ref() == Some(&place);
-                    match trace.end {
-                        End::At(node) if !at_born => Some(node),
-                        _ => Some(trace.born),
-                    }
+        let mut last: Option<(TraceId, Place, u32)> = None;
+        for &(x, i, place) in &inside {
+            let node = match last {
+                Some((y, other, node)) if x == y && planes.compare_points(&place, &other).is_eq() => node,
+                _ => {
+                    let node = if let Hit::Start = found[i].1 {
+                        self.front.trace(found[i].0).born
+                    } else {
+                        self.places.push(Some(place));
+                        self.places.len() as u32 - 1
+                    };
+                    cuts.push((x, node));
+                    node
                 }
             };
+            ends[i] = Some(node);
+            last = Some((x, place, node));
+        }
+        let mut ghosts: Vec<Landing> = Vec::with_capacity(found.len());
+        for (i, (ghost, hit, walk)) in found.into_iter().enumerate() {
+            let end = if let Hit::Node(node) = hit { Some(node) } else { ends[i] };
             ghosts.push(Landing { ghost, end, on: walk });
         }
         ghosts.sort_by_key(|landing| landing.ghost);

@@ -76,10 +76,7 @@ pub(crate) fn assemble(
         next: Vec::new(),
         base_from: 0,
     };
-    let landings = assembly.find_landings();
-    assembly.cut_traces(&landings);
-    assembly.link();
-    assembly.insert_ghosts(&landings);
+    while assembly.draw() {}
     assembly.finish(terminals, region, stats)
 }
 
@@ -87,6 +84,48 @@ impl Assembly<'_> {
     /// Whether a trace has length zero.
     fn is_void(trace: &Trace) -> bool {
         trace.end == End::At(trace.born)
+    }
+
+    /// Makes pieces of the traces and links them into the boundaries of the faces. Returns
+    /// whether it has to be done again, without ghost arcs that separated nothing.
+    fn draw(&mut self) -> bool {
+        let places = self.places.len();
+        let landings = self.find_landings();
+        self.cut_traces(&landings);
+        self.link();
+        self.insert_ghosts(&landings);
+        let idle = if self.planes.is_unweighted() { Vec::new() } else { self.idle_ghosts() };
+        if idle.is_empty() {
+            return false;
+        }
+        for x in idle {
+            let trace = self.front.trace_mut(x);
+            trace.end = End::At(trace.born);
+        }
+        self.places.truncate(places);
+        self.pieces.clear();
+        self.of_trace.clear();
+        true
+    }
+
+    /// Ghost arcs with one face on both sides. Without weights there are none; with weights
+    /// a face may grow around an obstacle and meet itself.
+    fn idle_ghosts(&self) -> Vec<TraceId> {
+        let mut cycle = vec![0_u32; self.next.len()];
+        let mut count = 0;
+        for first in 0..self.next.len() {
+            if cycle[first] == 0 && self.next[first] != usize::MAX {
+                count += 1;
+                for step in self.around(first) {
+                    cycle[step] = count;
+                }
+            }
+        }
+        let ghosts = self.pieces.iter().enumerate().filter(|(_, piece)| piece.kind == ArcKind::Ghost);
+        ghosts
+            .filter(|&(p, _)| cycle[2 * p] == cycle[2 * p + 1])
+            .map(|(_, piece)| piece.trace)
+            .collect()
     }
 
     fn start_of(&self, node: u32) -> Start {
@@ -256,6 +295,7 @@ impl Assembly<'_> {
             arcs: self
                 .pieces
                 .iter()
+                .filter(|piece| piece.from != piece.to)
                 .map(|piece| Arc {
                     nodes: [name(piece.from), name(piece.to)],
                     faces: piece.faces.map(|face| FaceId::new(face as usize)),
