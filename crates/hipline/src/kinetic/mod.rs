@@ -144,9 +144,10 @@ impl Kinetic<'_> {
             if trace.end == End::Moving {
                 assert!(
                     !trace.turn.is_zero(),
-                    "{x} between parallel {:?} and {:?} outlives its moment",
+                    "{x} between parallel {:?} and {:?} outlives its moment {:?}",
                     self.front.wave(trace.inn),
-                    self.front.wave(trace.out)
+                    self.front.wave(trace.out),
+                    self.now
                 );
                 let Self { batch, triangulation, .. } = self;
                 batch.dirty.extend(triangulation.fan(trace.out).map(|(t, _)| t));

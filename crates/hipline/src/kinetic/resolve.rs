@@ -94,12 +94,18 @@ impl Kinetic<'_> {
             if self.compare_tips(start, end).is_eq() {
                 return Shape::Zero(k);
             }
-            let Some(x) = triangle.tips[k].trace() else { return Shape::Solid };
             let plane = self.front.wave(wave).plane;
-            match self.planes.lead(&self.now, self.front.trace(x).pair, plane) {
+            let ahead = match triangle.tips[k].trace() {
+                Some(x) => self.planes.lead(&self.now, self.front.trace(x).pair, plane),
+                None => {
+                    let direction = triangle.tips[k].direction().expect("a direction");
+                    self.planes.heads(plane, direction)
+                }
+            };
+            match ahead {
                 Sign::Positive => return Shape::Solid,
                 Sign::Zero => {}
-                Sign::Negative => panic!("{x} is behind {wave} at {:?}", self.now),
+                Sign::Negative => panic!("{:?} is behind {wave} at {:?}", triangle.tips[k], self.now),
             }
         } else {
             match self.area_now(triangle.tips) {

@@ -3,7 +3,9 @@
 //! With equal speeds they lie on one plane for good and become one wavefront edge; a ghost
 //! arc will separate their faces. With unequal speeds the faster one wins (Biedl et al.
 //! 2015): it overruns the slower one at once, to its far end, along an arc of one height.
-//! Where several of them apply at once, the fastest wavefront edge goes first.
+//! Where several of them apply at once, the fastest wavefront edge goes first; of equally
+//! fast ones, one that overruns the wavefront edge after it (the unswept side on the left)
+//! goes before one that overruns the wavefront edge before it.
 
 use super::{
     Kinetic,
@@ -57,6 +59,7 @@ impl Kinetic<'_> {
         joint(x)
             .cmp(&joint(y))
             .then_with(|| self.planes.compare_speeds(fastest(x), fastest(y)))
+            .then_with(|| self.speeds_at(x).cmp(&self.speeds_at(y)))
             .then_with(|| y.cmp(&x))
     }
 

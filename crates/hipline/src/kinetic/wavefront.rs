@@ -11,7 +11,7 @@ use crate::topology::{TraceId, WaveId};
 use hipline_num::Sign;
 
 /// A step of a face's boundary.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum Walk {
     /// Not yet known.
     Open,

@@ -8,7 +8,7 @@ use hipline_num::{Ball, BallDd, Number, Sign, Surd};
 use std::cmp::Ordering;
 
 use super::{
-    expression::{Corner, Quadratic, area, difference, lead, meeting, minor},
+    expression::{Corner, Direction, Quadratic, area, difference, lead, meeting, minor},
     planes::{PlaneId, Planes, Question, Rung},
 };
 
@@ -429,7 +429,24 @@ impl Curve for Between {
     }
 }
 
+/// The component of a plane's normal in a direction.
+struct Heading(PlaneId, Direction);
+
+impl Curve for Heading {
+    const LINEAR: bool = true;
+    fn coefficients<T: Rung>(&self, planes: &Planes) -> Option<Quadratic<T>> {
+        let plane = T::plane(planes, self.0);
+        let [dx, dy] = self.1.vector().map(T::from_i64);
+        Some([plane.a.times(&dx).plus(&plane.b.times(&dy)), T::zero(), T::zero()])
+    }
+}
+
 impl Planes {
+    /// Whether a wavefront edge moves in a direction (zero: across it).
+    pub(crate) fn heads(&self, plane: PlaneId, direction: Direction) -> Sign {
+        self.sign_of(&Heading(plane, direction))
+    }
+
     /// The turn from one wavefront edge to the next: positive to the left (convex),
     /// negative to the right (reflex), zero if they are parallel.
     #[inline]

@@ -1,7 +1,10 @@
 //! Ghost arcs: where neighbours on one plane were carried as one wavefront edge, their joint
 //! face is cut along the perpendicular from each place where they met, up to its boundary.
 
-use std::cmp::Ordering;
+use std::{
+    cmp::Ordering,
+    collections::{BTreeMap, BTreeSet},
+};
 
 use super::{Assembly, Step};
 use crate::{
@@ -89,45 +92,82 @@ impl Assembly<'_> {
             .filter(|&(joint, _)| groups.binary_search_by_key(&joint, |g| g.0).is_ok())
             .collect();
         members.sort_unstable();
+        let mut orphans = self.orphans();
         let mut found = Vec::with_capacity(groups.len());
         for group in groups.chunk_by(|a, b| a.0 == b.0) {
             let from = members.partition_point(|m| m.0 < group[0].0);
             let faces: Vec<u32> =
                 members[from..].iter().take_while(|m| m.0 == group[0].0).map(|m| m.1).collect();
             let ghosts: Vec<TraceId> = group.iter().map(|g| g.1).collect();
-            self.land_group(&faces, ghosts, &mut found);
+            let mut starts: Vec<Walk> = faces.into_iter().map(Walk::Base).collect();
+            starts.extend(orphans.remove(&group[0].0).unwrap_or_default());
+            self.land_group(&starts, ghosts, &mut found);
         }
         self.name_ends(found)
     }
 
-    /// The walks around the joint face of some faces, traces of length zero left out.
-    fn joint_boundary(&self, faces: &[u32]) -> Vec<Vec<Walk>> {
-        let mut done = std::collections::BTreeSet::new();
-        let mut cycles = Vec::new();
-        for &face in faces {
-            if self.front.after_base[face as usize] == Walk::Open || !done.insert(face) {
+    /// The walk after another one.
+    fn after(&self, walk: Walk) -> Walk {
+        match walk {
+            Walk::Up(x) => self.front.trace(x).after_up,
+            Walk::Down(x) => self.front.trace(x).after_down,
+            Walk::Base(face) => self.front.after_base[face as usize],
+            Walk::Open => unreachable!("every walk goes on"),
+        }
+    }
+
+    /// Boundaries without a base, by joint face: a walk on each. They exist where a face with
+    /// weights grew around an obstacle.
+    fn orphans(&mut self) -> BTreeMap<u32, Vec<Walk>> {
+        let mut orphans = BTreeMap::<u32, Vec<Walk>>::new();
+        if self.planes.is_unweighted() {
+            return orphans;
+        }
+        let mut seen = BTreeSet::new();
+        let bases = (0..self.front.after_base.len() as u32).map(Walk::Base);
+        let traces = (0..self.front.traces.len()).map(TraceId::new);
+        let walks = traces.flat_map(|x| [Walk::Up(x), Walk::Down(x)]);
+        for first in bases.chain(walks).collect::<Vec<_>>() {
+            let is_open = matches!(first, Walk::Base(face) if self.front.after_base[face as usize] == Walk::Open);
+            if is_open || seen.contains(&first) {
                 continue;
             }
-            let mut cycle = vec![Walk::Base(face)];
-            let mut walk = self.front.after_base[face as usize];
-            while walk != Walk::Base(face) {
-                match walk {
-                    Walk::Up(x) | Walk::Down(x) => {
-                        let trace = self.front.trace(x);
-                        if !Self::is_void(trace) {
-                            cycle.push(walk);
-                        }
-                        walk = if walk == Walk::Up(x) { trace.after_up } else { trace.after_down };
-                    }
-                    Walk::Base(other) => {
-                        done.insert(other);
-                        cycle.push(walk);
-                        walk = self.front.after_base[other as usize];
-                    }
-                    Walk::Open => unreachable!("every walk goes on"),
-                }
+            let mut walk = first;
+            while seen.insert(walk) {
+                walk = self.after(walk);
             }
-            cycles.push(cycle);
+            if let Walk::Up(x) | Walk::Down(x) = first {
+                let trace = *self.front.trace(x);
+                let wave = if first == Walk::Up(x) { trace.inn } else { trace.out };
+                let face = self.front.wave(wave).face;
+                orphans.entry(self.front.joint_face(face)).or_default().push(first);
+            }
+        }
+        orphans
+    }
+
+    /// The walks around a joint face, traces of length zero left out; `starts` are walks on
+    /// its boundary, at least one on each cycle.
+    fn joint_boundary(&self, starts: &[Walk]) -> Vec<Vec<Walk>> {
+        let mut done = BTreeSet::new();
+        let mut cycles = Vec::new();
+        for &first in starts {
+            if let Walk::Base(face) = first
+                && self.front.after_base[face as usize] == Walk::Open
+            {
+                continue;
+            }
+            let mut cycle = Vec::new();
+            let mut walk = first;
+            while done.insert(walk) {
+                if !matches!(walk, Walk::Up(x) | Walk::Down(x) if Self::is_void(self.front.trace(x))) {
+                    cycle.push(walk);
+                }
+                walk = self.after(walk);
+            }
+            if !cycle.is_empty() {
+                cycles.push(cycle);
+            }
         }
         cycles
     }
@@ -135,7 +175,7 @@ impl Assembly<'_> {
     /// Finds the ends of all ghost arcs of one joint face.
     fn land_group(
         &self,
-        faces: &[u32],
+        starts: &[Walk],
         mut ghosts: Vec<TraceId>,
         found: &mut Vec<(TraceId, Hit, Walk)>,
     ) {
@@ -146,7 +186,7 @@ impl Assembly<'_> {
             let [x, y] = [x, y].map(|g| place(self.front.trace(g).born));
             self.planes.compare_along(y, x, plane)
         });
-        let cycles = self.joint_boundary(faces);
+        let cycles = self.joint_boundary(starts);
         let (ceilings, mut jumps) = self.ceilings(&cycles, plane);
         for ghost in ghosts {
             let born = self.front.trace(ghost).born;
@@ -343,8 +383,11 @@ impl Assembly<'_> {
             let node = match last {
                 Some((y, other, node)) if x == y && planes.compare_points(&place, &other).is_eq() => node,
                 _ => {
-                    let node = if let Hit::Start = found[i].1 {
-                        self.front.trace(found[i].0).born
+                    // An arc of length zero: its face was overrun at the moment it started.
+                    let born = self.front.trace(found[i].0).born;
+                    let start = self.start_of(born).into();
+                    let node = if planes.compare_times(&place, &start).is_eq() {
+                        born
                     } else {
                         self.places.push(Some(place));
                         self.places.len() as u32 - 1
@@ -408,7 +451,7 @@ impl Assembly<'_> {
         }
         let mut infinite: Vec<&Landing> =
             landings.ghosts.iter().filter(|landing| landing.end.is_none()).collect();
-        let mut placed = std::collections::BTreeSet::new();
+        let mut placed = BTreeSet::new();
         while !infinite.is_empty() {
             infinite.retain(|landing| {
                 let (Walk::Up(x) | Walk::Down(x)) = landing.on else { unreachable!("a trace") };
