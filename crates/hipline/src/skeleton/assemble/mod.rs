@@ -11,7 +11,7 @@ use super::{Arc, ArcKind, Face, InputGraph, Node, NodeKind, Region, Side, Skelet
 use crate::{
     input::Figure,
     kinetic::{End, Trace, Walk, Wavefront},
-    predicates::{Place, Planes, Start, Terminal},
+    predicates::{Bound, Place, PlaneId, Planes, Start, Terminal},
     topology::{EdgeId, FaceId, NodeId, TraceId, VertexId},
 };
 use hipline_num::Sign;
@@ -334,11 +334,68 @@ impl Assembly<'_> {
             for other in self.around(step) {
                 seen[other] = true;
             }
-            let trace = *self.front.trace(self.pieces[step / 2].trace);
-            let wave = if step % 2 == 0 { trace.inn } else { trace.out };
-            inner.entry(self.front.wave(wave).face).or_default().push(step);
+            let face = self.home(step, order);
+            inner.entry(face).or_default().push(step);
         }
         inner
+    }
+
+    /// The face that a boundary without a base lies in.
+    fn home(&mut self, orphan: Step, order: &[(u32, Side, u32)]) -> u32 {
+        let trace = *self.front.trace(self.pieces[orphan / 2].trace);
+        let wave = *self.front.wave(if orphan % 2 == 0 { trace.inn } else { trace.out });
+        let joint = self.front.joint_face(wave.face);
+        let mut members: Vec<u32> = order.iter().map(|&(.., face)| face).collect();
+        members.retain(|&face| self.front.joint_face(face) == joint);
+        if members.len() == 1 {
+            return members[0];
+        }
+        let node = self
+            .around(orphan)
+            .map(|step| self.ends(step)[0])
+            .find(|&node| matches!(self.places[node as usize], Some(Place::Event { .. } | Place::Vertex(_))))
+            .expect("a boundary has an event on it");
+        let home = members.iter().copied().find(|&face| self.contains(face, node, wave.plane));
+        home.unwrap_or_else(|| panic!("node {node} lies in no face of its plane"))
+    }
+
+    /// Whether a node lies inside the outer boundary of a face: seen along the perpendicular
+    /// to the edge, one more stretch of it goes along the edge's direction below than against.
+    fn contains(&self, face: u32, node: u32, plane: PlaneId) -> bool {
+        let here = self.places[node as usize].expect("a finite node");
+        let side = |end: u32, step: Step| match &self.places[end as usize] {
+            Some(place) => self.planes.compare_along(place, &here, plane),
+            None => {
+                self.planes.compare_far(self.front.trace(self.pieces[step / 2].trace).pair, &here, plane)
+            }
+        };
+        let mut below = 0;
+        for step in self.around(self.base_from + face as usize) {
+            let [from, to] = self.ends(step).map(|end| side(end, step).is_gt());
+            if from == to {
+                continue;
+            }
+            let is_below = step >= self.base_from || {
+                let trace = self.front.trace(self.pieces[step / 2].trace);
+                let [a, b] = [trace.inn, trace.out].map(|w| self.front.wave(w).plane);
+                let bound = if self.planes.turn(a, b).is_zero() {
+                    match self.places[trace.born as usize] {
+                        Some(Place::Event { moment, .. }) => Some(Bound::Level(moment)),
+                        _ => None,
+                    }
+                } else {
+                    Some(Bound::Pair(trace.pair))
+                };
+                bound.is_none_or(|bound| {
+                    let foot = Place::Foot { start: self.start_of(node), plane, bound };
+                    self.planes.compare_times(&foot, &here).is_lt()
+                })
+            };
+            if is_below {
+                below += if to { 1 } else { -1 };
+            }
+        }
+        below == 1
     }
 
     /// Appends the corners along a boundary, and tells its arcs their face.
