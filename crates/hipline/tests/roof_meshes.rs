@@ -10,7 +10,10 @@ use offset_support::{ELL, FUNNEL, HOLE, OUTER, PLUS, RECTANGLE, SQUARE, lines, p
 
 /// Checks the roof of a figure and all that is made of it.
 fn check(figure: &Figure, area: f64) -> Result<Mesh, String> {
-    let roof = figure.skeleton(Options::default()).roof(0.5).map_err(|e| e.to_string())?;
+    let roof = figure
+        .skeleton(Options::default())
+        .roof(0.5)
+        .map_err(|e| e.to_string())?;
     let tolerance = 1e-9 * area;
     let plan = |mesh: &Mesh| mesh.faces.iter().map(|f| mesh.plan_area(f)).sum::<f64>();
     if (plan(&roof) - area).abs() > tolerance {
@@ -26,11 +29,20 @@ fn check(figure: &Figure, area: f64) -> Result<Mesh, String> {
         return Err(format!("floor and roof differ by {}", plan(&solid)));
     }
     let triangles = solid.triangulate();
-    triangles.check().map_err(|flaw| format!("triangles: {flaw}"))?;
+    triangles
+        .check()
+        .map_err(|flaw| format!("triangles: {flaw}"))?;
     for face in &triangles.faces {
-        let folded = if face.face.is_some() { triangles.plan_area(face) < 0.0 } else { triangles.plan_area(face) > 0.0 };
+        let folded = if face.face.is_some() {
+            triangles.plan_area(face) < 0.0
+        } else {
+            triangles.plan_area(face) > 0.0
+        };
         if folded {
-            return Err(format!("{face:?} of {} is folded over", triangles.plan_area(face)));
+            return Err(format!(
+                "{face:?} of {} is folded over",
+                triangles.plan_area(face)
+            ));
         }
     }
     if triangles.clone().with_base() != triangles {
@@ -47,7 +59,12 @@ fn shapes_known_by_hand() {
         ("ell", polygon(&[ELL]), 28.0, 10),
         ("plus", polygon(&[PLUS]), 20.0, 17),
         ("hole", polygon(&[OUTER, HOLE]), 72.0, 12),
-        ("funnel", polygon(&[FUNNEL]), offset_support::area(FUNNEL), 8),
+        (
+            "funnel",
+            polygon(&[FUNNEL]),
+            offset_support::area(FUNNEL),
+            8,
+        ),
         (
             "straight",
             polygon(&[&[[0.0, 0.0], [2.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.0]]]),
@@ -64,7 +81,10 @@ fn shapes_known_by_hand() {
 
 #[test]
 fn heights_are_times_times_slope() {
-    let roof = polygon(&[RECTANGLE]).skeleton(Options::default()).roof(0.25).expect("a roof");
+    let roof = polygon(&[RECTANGLE])
+        .skeleton(Options::default())
+        .roof(0.25)
+        .expect("a roof");
     let mut tops: Vec<_> = roof.vertices.iter().filter(|v| v[2] > 0.0).collect();
     tops.sort_by(|a, b| a[0].total_cmp(&b[0]));
     assert_eq!(tops, [&[2.0, 2.0, 0.5], &[6.0, 2.0, 0.5]]);
@@ -85,7 +105,13 @@ fn several_polygons_have_several_floors() {
 fn weights() {
     let mut builder = FigureBuilder::new();
     builder.weighted_polygon(
-        vec![vec![[0.0, 0.0], [2.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.0]]],
+        vec![vec![
+            [0.0, 0.0],
+            [2.0, 0.0],
+            [4.0, 0.0],
+            [4.0, 4.0],
+            [0.0, 4.0],
+        ]],
         vec![vec![1.0, 2.0, 0.5, 3.0, 1.0]],
     );
     check(&builder.build().expect("valid"), 16.0).expect("a roof");
@@ -94,35 +120,67 @@ fn weights() {
 #[test]
 fn only_what_is_bounded() {
     let square = polygon(&[SQUARE]);
-    let both = square.skeleton(Options::default().region(Region::Both)).roof(1.0).expect("a roof");
+    let both = square
+        .skeleton(Options::default().region(Region::Both))
+        .roof(1.0)
+        .expect("a roof");
     assert_eq!(both.faces.len(), 4);
-    let outside = square.skeleton(Options::default().region(Region::Exterior)).roof(1.0);
+    let outside = square
+        .skeleton(Options::default().region(Region::Exterior))
+        .roof(1.0);
     assert_eq!(outside, Err(InvalidRoof::Unbounded));
     let line = lines(&[&[[0.0, 0.0], [1.0, 0.0]]]);
-    assert_eq!(line.skeleton(Options::default()).roof(1.0), Err(InvalidRoof::Unbounded));
+    assert_eq!(
+        line.skeleton(Options::default()).roof(1.0),
+        Err(InvalidRoof::Unbounded)
+    );
     for slope in [0.0, -1.0, f64::INFINITY] {
-        assert_eq!(square.skeleton(Options::default()).roof(slope), Err(InvalidRoof::Slope(slope)));
+        assert_eq!(
+            square.skeleton(Options::default()).roof(slope),
+            Err(InvalidRoof::Slope(slope))
+        );
     }
 }
 
 #[test]
 fn the_check_finds_flaws() {
-    let solid = polygon(&[SQUARE]).skeleton(Options::default()).roof(1.0).expect("a roof").with_base();
+    let solid = polygon(&[SQUARE])
+        .skeleton(Options::default())
+        .roof(1.0)
+        .expect("a roof")
+        .with_base();
     let mut open = solid.clone();
     open.faces.pop();
     assert!(matches!(open.check(), Err(MeshFlaw::Open { .. })));
     let mut twice = solid.clone();
     twice.faces.push(twice.faces[0].clone());
-    assert!(matches!(twice.check(), Err(MeshFlaw::SameDirection { first: 0, second: 5, .. })));
+    assert!(matches!(
+        twice.check(),
+        Err(MeshFlaw::SameDirection {
+            first: 0,
+            second: 5,
+            ..
+        })
+    ));
     let mut turned = solid.clone();
     turned.faces[0].boundary.reverse();
     assert!(turned.check().is_err());
     let mut needle = solid.clone();
-    needle.faces.push(MeshFace { boundary: vec![0, 1], holes: Vec::new(), face: None });
+    needle.faces.push(MeshFace {
+        boundary: vec![0, 1],
+        holes: Vec::new(),
+        face: None,
+    });
     assert_eq!(needle.check(), Err(MeshFlaw::FewCorners { face: 5 }));
     let mut stray = solid.clone();
     stray.faces[4].boundary[0] = 99;
-    assert_eq!(stray.check(), Err(MeshFlaw::NoVertex { face: 4, vertex: 99 }));
+    assert_eq!(
+        stray.check(),
+        Err(MeshFlaw::NoVertex {
+            face: 4,
+            vertex: 99
+        })
+    );
     let mut point = solid;
     for vertex in &mut point.vertices {
         *vertex = [1.0; 3];
@@ -143,5 +201,10 @@ fn buildings() {
     for failure in failures.iter().take(30) {
         println!("{failure}");
     }
-    assert!(failures.is_empty(), "{} of {} roofs are flawed", failures.len(), list.len());
+    assert!(
+        failures.is_empty(),
+        "{} of {} roofs are flawed",
+        failures.len(),
+        list.len()
+    );
 }

@@ -29,8 +29,9 @@ struct Crossing {
 /// The wavefronts at distances that are sorted and distinct.
 pub(super) fn wavefronts(skeleton: &Skeleton, figure: &Figure, distances: &[f64]) -> Vec<Offset> {
     let lift = Lift::new(skeleton, figure);
-    let ranks: Vec<Rank> =
-        (0..skeleton.nodes().len()).map(|i| rank(&lift, NodeId::new(i), distances)).collect();
+    let ranks: Vec<Rank> = (0..skeleton.nodes().len())
+        .map(|i| rank(&lift, NodeId::new(i), distances))
+        .collect();
     let mut crossed: Vec<Vec<ArcId>> = vec![Vec::new(); distances.len()];
     for (i, arc) in skeleton.arcs().iter().enumerate() {
         let [from, to] = arc.nodes.map(|node| ranks[node.index()].below);
@@ -42,7 +43,11 @@ pub(super) fn wavefronts(skeleton: &Skeleton, figure: &Figure, distances: &[f64]
     let mut offsets = Vec::with_capacity(distances.len());
     for (i, arcs) in crossed.iter().enumerate().rev() {
         superlevel.lower_to(i);
-        let level = Level { lift: &lift, ranks: &ranks, distance: distances[i] };
+        let level = Level {
+            lift: &lift,
+            ranks: &ranks,
+            distance: distances[i],
+        };
         let rings = level.rings(arcs);
         offsets.push(level.offset(&rings, &mut superlevel));
     }
@@ -62,7 +67,10 @@ fn rank(lift: &Lift, id: NodeId, distances: &[f64]) -> Rank {
             match lift.planes.compare_time(&lift.place(id), *d) {
                 Ordering::Less => Rank { below, at: false },
                 Ordering::Equal => Rank { below, at: true },
-                Ordering::Greater => Rank { below: below + 1, at: false },
+                Ordering::Greater => Rank {
+                    below: below + 1,
+                    at: false,
+                },
             }
         }
         _ => Rank { below, at: false },
@@ -85,15 +93,26 @@ impl Level<'_> {
         // Among the distances not below the arc's start only the first can equal it, and
         // then the distance is its time, as f64 too.
         if self.ranks[start.index()].at && node.time.total_cmp(&self.distance).is_eq() {
-            return Crossing { arc: id, place: None, point: [node.x, node.y] };
+            return Crossing {
+                arc: id,
+                place: None,
+                point: [node.x, node.y],
+            };
         }
         let place = if arc.kind == ArcKind::Ghost {
             self.lift.on_ghost(id, Bound::Time(self.distance))
         } else {
-            Place::At { pair: self.lift.pair(id), time: self.distance }
+            Place::At {
+                pair: self.lift.pair(id),
+                time: self.distance,
+            }
         };
         let [x, y, _] = self.lift.planes.round(&place);
-        Crossing { arc: id, place: Some(place), point: [x, y] }
+        Crossing {
+            arc: id,
+            place: Some(place),
+            point: [x, y],
+        }
     }
 
     /// The rings of crossings, each with the face after it.
@@ -101,13 +120,16 @@ impl Level<'_> {
         let crossings: Vec<Crossing> = arcs.iter().map(|&arc| self.crossing(arc)).collect();
         let faces = |k: usize| self.lift.skeleton.arc(crossings[k].arc).faces;
         let by_face = |side: usize| {
-            let mut list: Vec<(FaceId, usize)> = (0..crossings.len()).map(|k| (faces(k)[side], k)).collect();
+            let mut list: Vec<(FaceId, usize)> =
+                (0..crossings.len()).map(|k| (faces(k)[side], k)).collect();
             list.sort_unstable();
             list
         };
         // The wavefront runs in an arc's left face up to the arc, then on in its right face.
         let (mut ends, mut starts) = (by_face(0), by_face(1));
-        let groups = ends.chunk_by_mut(|a, b| a.0 == b.0).zip(starts.chunk_by_mut(|a, b| a.0 == b.0));
+        let groups = ends
+            .chunk_by_mut(|a, b| a.0 == b.0)
+            .zip(starts.chunk_by_mut(|a, b| a.0 == b.0));
         let mut next = vec![usize::MAX; crossings.len()];
         for (ends, starts) in groups {
             let face = ends[0].0;
@@ -146,15 +168,18 @@ impl Level<'_> {
         let plane = self.lift.plane(face);
         let planes = &self.lift.planes;
         let place = |c: &Crossing| {
-            c.place.clone().unwrap_or_else(|| self.lift.place(self.lift.skeleton.arc(c.arc).nodes[0]))
+            c.place
+                .unwrap_or_else(|| self.lift.place(self.lift.skeleton.arc(c.arc).nodes[0]))
         };
-        planes.compare_along(&place(p), &place(q), plane).then_with(|| {
-            let pair = |c: &Crossing| {
-                let ghost = self.lift.skeleton.arc(c.arc).kind == ArcKind::Ghost;
-                (!ghost).then(|| self.lift.pair(c.arc))
-            };
-            planes.compare_drifts([pair(p), pair(q)], plane)
-        })
+        planes
+            .compare_along(&place(p), &place(q), plane)
+            .then_with(|| {
+                let pair = |c: &Crossing| {
+                    let ghost = self.lift.skeleton.arc(c.arc).kind == ArcKind::Ghost;
+                    (!ghost).then(|| self.lift.pair(c.arc))
+                };
+                planes.compare_drifts([pair(p), pair(q)], plane)
+            })
     }
 
     /// Loops and parts from rings.
@@ -169,17 +194,35 @@ impl Level<'_> {
             for k in 1..ring.len() {
                 superlevel.connect(upper(0), upper(k));
             }
+            let bits = |crossing: &Crossing| crossing.point.map(f64::to_bits);
             let next = ring.iter().skip(1).chain(ring.first());
-            let kept = ring.iter().zip(next).filter(|(a, b)| a.0.point != b.0.point);
+            let kept = ring
+                .iter()
+                .zip(next)
+                .filter(|(a, b)| bits(&a.0) != bits(&b.0));
             let (points, faces): (Vec<_>, Vec<_>) = kept.map(|(a, _)| (a.0.point, a.1)).unzip();
-            // Two points are left of a loop too small for f64 to tell, and at the start of
-            // the wavefront of a single segment.
-            if points.len() > 2 || (points.len() == 2 && self.distance <= 0.0) {
+            // Points on one line are left of a loop too small for f64 to tell, and at the
+            // start of the wavefront of lines.
+            if !is_flat(&points) || (points.len() > 1 && self.distance <= 0.0) {
                 loops.push(OffsetLoop { points, faces });
                 seeds.push(upper(0));
             }
         }
         let parts = superlevel.parts(&loops, &seeds);
-        Offset { distance: self.distance, loops, parts }
+        Offset {
+            distance: self.distance,
+            loops,
+            parts,
+        }
     }
+}
+
+/// Whether all points lie on one line.
+fn is_flat(points: &[[f64; 2]]) -> bool {
+    let coord = |[x, y]: [f64; 2]| robust::Coord { x, y };
+    let [p, q, rest @ ..] = points else {
+        return true;
+    };
+    rest.iter()
+        .all(|&r| robust::orient2d(coord(*p), coord(*q), coord(r)).abs() <= 0.0)
 }

@@ -28,7 +28,11 @@ impl<'a> Lift<'a> {
     pub(super) fn new(skeleton: &'a Skeleton, figure: &Figure) -> Self {
         let same = figure.vertices().len() == skeleton.input().vertices
             && figure.edges().len() == skeleton.input().edges.len()
-            && figure.edges().iter().zip(&skeleton.input().edges).all(|(e, f)| [e.from, e.to] == *f);
+            && figure
+                .edges()
+                .iter()
+                .zip(&skeleton.input().edges)
+                .all(|(e, f)| [e.from, e.to] == *f);
         assert!(same, "the skeleton is not that of this figure");
         let terminals = terminals(figure);
         Self {
@@ -45,7 +49,10 @@ impl<'a> Lift<'a> {
         let face = self.skeleton.face(face);
         let [from, to] = self.skeleton.input().edges[face.edge.index()];
         let terminal = |tip: usize| {
-            let i = self.tips.binary_search(&tip).expect("the face of a terminal");
+            let i = self
+                .tips
+                .binary_search(&tip)
+                .expect("the face of a terminal");
             2 * (self.edges + i) as u32
         };
         PlaneId(match face.side {
@@ -63,7 +70,11 @@ impl<'a> Lift<'a> {
     }
 
     fn oriented(&self, [i, j]: [PlaneId; 2]) -> [PlaneId; 2] {
-        if self.planes.turn(i, j) == Sign::Negative { [j, i] } else { [i, j] }
+        if self.planes.turn(i, j) == Sign::Negative {
+            [j, i]
+        } else {
+            [i, j]
+        }
     }
 
     fn arcs_at(&self, node: NodeId) -> &[ArcId] {
@@ -104,11 +115,17 @@ impl<'a> Lift<'a> {
             .map(|face| self.plane(face))
             .collect();
         let first = planes[0];
-        let Some(&across) = planes.iter().find(|&&p| !self.planes.turn(first, p).is_zero()) else {
+        let Some(&across) = planes
+            .iter()
+            .find(|&&p| !self.planes.turn(first, p).is_zero())
+        else {
             return self.foot_on_level(id, &planes);
         };
         let pair = self.oriented([first, across]);
-        match planes.iter().find(|&&p| self.planes.do_meet([first, across, p])) {
+        match planes
+            .iter()
+            .find(|&&p| self.planes.do_meet([first, across, p]))
+        {
             Some(&third) => {
                 let mut moment = [first, across, third];
                 moment.sort_unstable();
@@ -126,7 +143,9 @@ impl<'a> Lift<'a> {
         let &other = other.unwrap_or_else(|| panic!("{id} has one plane only"));
         // Two parallel planes meet at one moment, wherever a third one cuts them.
         let lines = (self.edges + self.tips.len()) as u32;
-        let third = (0..lines).map(|line| PlaneId(2 * line)).find(|&p| !self.planes.turn(first, p).is_zero());
+        let third = (0..lines)
+            .map(|line| PlaneId(2 * line))
+            .find(|&p| !self.planes.turn(first, p).is_zero());
         let third = third.expect("an arc of one height is in a figure of more than one direction");
         let mut moment = [first, other, third];
         moment.sort_unstable();
@@ -150,6 +169,10 @@ impl<'a> Lift<'a> {
             Place::Event { pair, moment } => Start::Event { pair, moment },
             place => unreachable!("{ghost} starts at {place:?}"),
         };
-        Place::Foot { start, plane: self.plane(arc.faces[0]), bound }
+        Place::Foot {
+            start,
+            plane: self.plane(arc.faces[0]),
+            bound,
+        }
     }
 }

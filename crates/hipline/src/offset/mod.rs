@@ -14,7 +14,8 @@
 //!
 //! # Exactness
 //! Which arcs pass height d is decided exactly, and so is the order along a face. Points are
-//! the f64 numbers nearest to the exact ones.
+//! the f64 numbers nearest to the exact ones. Edges whose ends are rounded into one point are
+//! left out, and so are loops all of whose points are rounded onto one line.
 
 mod level;
 mod lift;
@@ -57,7 +58,9 @@ impl OffsetLoop {
     /// The signed area, in square input units, up to rounding: positive if counterclockwise.
     #[must_use]
     pub fn area(&self) -> f64 {
-        let Some(&[x0, y0]) = self.points.first() else { return 0.0 };
+        let Some(&[x0, y0]) = self.points.first() else {
+            return 0.0;
+        };
         let next = self.points.iter().skip(1).chain(self.points.first());
         let twice: f64 = self
             .points
@@ -72,7 +75,11 @@ impl OffsetLoop {
     #[must_use]
     pub fn perimeter(&self) -> f64 {
         let next = self.points.iter().skip(1).chain(self.points.first());
-        self.points.iter().zip(next).map(|(p, q)| (q[0] - p[0]).hypot(q[1] - p[1])).sum()
+        self.points
+            .iter()
+            .zip(next)
+            .map(|(p, q)| (q[0] - p[0]).hypot(q[1] - p[1]))
+            .sum()
     }
 }
 
@@ -159,7 +166,11 @@ impl Skeleton {
     ///
     /// # Panics
     /// If the figure is not the one that the skeleton was computed from.
-    pub fn offsets(&self, figure: &Figure, distances: &[f64]) -> Result<Vec<Offset>, InvalidDistance> {
+    pub fn offsets(
+        &self,
+        figure: &Figure,
+        distances: &[f64],
+    ) -> Result<Vec<Offset>, InvalidDistance> {
         if let Some(&wrong) = distances.iter().find(|d| !(d.is_finite() && **d >= 0.0)) {
             return Err(InvalidDistance(wrong));
         }

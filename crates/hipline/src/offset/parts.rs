@@ -24,15 +24,20 @@ pub(super) struct Superlevel {
 impl Superlevel {
     pub(super) fn new(skeleton: &Skeleton, ranks: &[Rank], distances: usize) -> Self {
         let mut waiting = vec![Vec::new(); distances];
-        let bridges = (0..skeleton.faces().len()).map(FaceId::new).flat_map(|f| bridges(skeleton, f));
+        let bridges = (0..skeleton.faces().len())
+            .map(FaceId::new)
+            .flat_map(|f| bridges(skeleton, f));
         for [from, to] in skeleton.arcs().iter().map(|arc| arc.nodes).chain(bridges) {
             // Above all distances below the time of its start.
             if let Some(last) = ranks[from.index()].below.checked_sub(1) {
                 waiting[last].push([from, to]);
             }
         }
-        let mut this =
-            Self { waiting, parents: (0..skeleton.nodes().len() as u32).collect(), infinite: None };
+        let mut this = Self {
+            waiting,
+            parents: (0..skeleton.nodes().len() as u32).collect(),
+            infinite: None,
+        };
         // Far out everything is unswept at any finite time.
         for (i, node) in skeleton.nodes().iter().enumerate() {
             if matches!(node.kind, NodeKind::Infinite { .. }) {
@@ -86,11 +91,13 @@ impl Superlevel {
                 return Part { shell: None, holes };
             }
             // Of a bounded part, one loop is counterclockwise.
-            let largest = |&a: &usize, &b: &usize| {
-                loops[holes[a]].area().total_cmp(&loops[holes[b]].area())
-            };
+            let largest =
+                |&a: &usize, &b: &usize| loops[holes[a]].area().total_cmp(&loops[holes[b]].area());
             let shell = (0..holes.len()).max_by(largest).expect("a part has a loop");
-            Part { shell: Some(holes.remove(shell)), holes }
+            Part {
+                shell: Some(holes.remove(shell)),
+                holes,
+            }
         };
         order.into_iter().map(part).collect()
     }
@@ -113,14 +120,20 @@ fn bridges(skeleton: &Skeleton, face: FaceId) -> Vec<[NodeId; 2]> {
     let time = |n: NodeId| skeleton.node(n).time;
     let cycles = || std::iter::once(skeleton.boundary(face)).chain(holes.iter().copied());
     let bridge = |hole: &&[NodeId]| {
-        let top = hole.iter().copied().max_by(|&a, &b| time(a).total_cmp(&time(b)))?;
+        let top = hole
+            .iter()
+            .copied()
+            .max_by(|&a, &b| time(a).total_cmp(&time(b)))?;
         let at = along(top);
         let mut best: Option<(f64, NodeId)> = None;
         for cycle in cycles() {
             for (i, &a) in cycle.iter().enumerate() {
                 let b = cycle[(i + 1) % cycle.len()];
                 let (u, v) = (along(a), along(b));
-                if !(u.min(v) <= at && at <= u.max(v) && u.min(v) < u.max(v)) || a == top || b == top {
+                if !(u.min(v) <= at && at <= u.max(v) && u.min(v) < u.max(v))
+                    || a == top
+                    || b == top
+                {
                     continue;
                 }
                 let height = time(a) + (time(b) - time(a)) * ((at - u) / (v - u));
@@ -131,8 +144,7 @@ fn bridges(skeleton: &Skeleton, face: FaceId) -> Vec<[NodeId; 2]> {
             }
         }
         // Nothing above: the face goes on for ever there.
-        let infinite =
-            || cycles().flatten().copied().find(|&n| time(n).is_infinite());
+        let infinite = || cycles().flatten().copied().find(|&n| time(n).is_infinite());
         Some([top, best.map(|(_, node)| node).or_else(infinite)?])
     };
     holes.iter().filter_map(bridge).collect()

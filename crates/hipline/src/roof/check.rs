@@ -71,10 +71,18 @@ impl Mesh {
             }
             for [from, to] in face.edges() {
                 if from as usize >= self.vertices.len() {
-                    return Err(MeshFlaw::NoVertex { face: i, vertex: from });
+                    return Err(MeshFlaw::NoVertex {
+                        face: i,
+                        vertex: from,
+                    });
                 }
                 if let Some(first) = faces.insert([from, to], i) {
-                    return Err(MeshFlaw::SameDirection { first, second: i, from, to });
+                    return Err(MeshFlaw::SameDirection {
+                        first,
+                        second: i,
+                        from,
+                        to,
+                    });
                 }
             }
             let bits = |v: u32| self.vertices[v as usize].map(f64::to_bits);

@@ -32,7 +32,13 @@ pub(super) fn cut(boundary: &[u32], point: &impl Fn(u32) -> [f64; 2]) -> Vec<[u3
     let mut from = 0;
     while ring.len() > 3 {
         let n = ring.len();
-        let mut best = (Worth { rank: 0, roundness: f64::NEG_INFINITY }, 0);
+        let mut best = (
+            Worth {
+                rank: 0,
+                roundness: f64::NEG_INFINITY,
+            },
+            0,
+        );
         for step in 0..n {
             let k = (from + step) % n;
             let worth = worth(&ring, k, point);
@@ -66,16 +72,24 @@ fn worth(ring: &[u32], k: usize, point: &impl Fn(u32) -> [f64; 2]) -> Worth {
         .sum();
     let roundness = if squares > 0.0 { area / squares } else { 0.0 };
     if area <= 0.0 {
-        return Worth { rank: u8::from(area >= 0.0), roundness };
+        return Worth {
+            rank: u8::from(area >= 0.0),
+            roundness,
+        };
     }
     let covers = |p: [f64; 2]| {
-        p != a
-            && p != b
-            && p != c
+        [a, b, c]
+            .iter()
+            .all(|q| q.map(f64::to_bits) != p.map(f64::to_bits))
             && orientation(a, b, p) >= 0.0
             && orientation(b, c, p) >= 0.0
             && orientation(c, a, p) >= 0.0
     };
-    let covered = (0..n).filter(|i| !corners.contains(i)).any(|i| covers(point(ring[i])));
-    Worth { rank: if covered { 2 } else { 3 }, roundness }
+    let covered = (0..n)
+        .filter(|i| !corners.contains(i))
+        .any(|i| covers(point(ring[i])));
+    Worth {
+        rank: if covered { 2 } else { 3 },
+        roundness,
+    }
 }

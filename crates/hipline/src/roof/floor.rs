@@ -65,14 +65,22 @@ impl Mesh {
                 ring.reverse();
             }
             let area = |ring: &Vec<u32>| {
-                let face = MeshFace { boundary: ring.clone(), holes: Vec::new(), face: None };
+                let face = MeshFace {
+                    boundary: ring.clone(),
+                    holes: Vec::new(),
+                    face: None,
+                };
                 self.plan_area(&face)
             };
             // Seen from above the outer ring is clockwise now.
             let order = |&a: &usize, &b: &usize| area(&rings[a]).total_cmp(&area(&rings[b]));
             let shell = (0..rings.len()).min_by(order).expect("a part has a ring");
             let boundary = rings.swap_remove(shell);
-            self.faces.push(MeshFace { boundary, holes: rings, face: None });
+            self.faces.push(MeshFace {
+                boundary,
+                holes: rings,
+                face: None,
+            });
         }
         self
     }

@@ -70,7 +70,9 @@ impl Mesh {
     /// boundary is counterclockwise from above. Holes are taken off.
     #[must_use]
     pub fn plan_area(&self, face: &MeshFace) -> f64 {
-        let Some(&origin) = face.boundary.first() else { return 0.0 };
+        let Some(&origin) = face.boundary.first() else {
+            return 0.0;
+        };
         let [x0, y0, _] = self.vertices[origin as usize];
         let cross = |[a, b]: [u32; 2]| {
             let [p, q] = [a, b].map(|v| self.vertices[v as usize]);
@@ -101,7 +103,9 @@ fn bounded_faces(skeleton: &Skeleton) -> Vec<bool> {
             bounded[root(&mut parents, arc.faces[0].index())] = false;
         }
     }
-    (0..count).map(|face| bounded[root(&mut parents, face)]).collect()
+    (0..count)
+        .map(|face| bounded[root(&mut parents, face)])
+        .collect()
 }
 
 impl Skeleton {
@@ -134,7 +138,10 @@ impl Skeleton {
         let bounded = bounded_faces(self);
         let mut mesh = Mesh::default();
         let mut number = vec![None; self.nodes().len()];
-        for face in (0..self.faces().len()).map(FaceId::new).filter(|face| bounded[face.index()]) {
+        for face in (0..self.faces().len())
+            .map(FaceId::new)
+            .filter(|face| bounded[face.index()])
+        {
             // With weights, a face that was overrun at once has no area and two nodes.
             if self.boundary(face).len() < 3 {
                 continue;
@@ -151,8 +158,16 @@ impl Skeleton {
             };
             let boundary = name(self.boundary(face));
             let holes = self.holes(face).map(name).collect();
-            mesh.faces.push(MeshFace { boundary, holes, face: Some(face) });
+            mesh.faces.push(MeshFace {
+                boundary,
+                holes,
+                face: Some(face),
+            });
         }
-        if mesh.faces.is_empty() { Err(InvalidRoof::Unbounded) } else { Ok(mesh) }
+        if mesh.faces.is_empty() {
+            Err(InvalidRoof::Unbounded)
+        } else {
+            Ok(mesh)
+        }
     }
 }

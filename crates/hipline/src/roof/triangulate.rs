@@ -28,7 +28,10 @@ impl Mesh {
                 face: face.face,
             }));
         }
-        Self { vertices: self.vertices.clone(), faces }
+        Self {
+            vertices: self.vertices.clone(),
+            faces,
+        }
     }
 
     fn triangles(&self, face: &MeshFace) -> Vec<[u32; 3]> {
@@ -38,10 +41,9 @@ impl Mesh {
             let [x, y, _] = self.vertices[v as usize];
             if down { [y, x] } else { [x, y] }
         };
-        if face.boundary.len() > SMALL || !face.holes.is_empty() {
-            if let Some(triangles) = delaunay(face, &point) {
-                return triangles;
-            }
+        let large = face.boundary.len() > SMALL || !face.holes.is_empty();
+        if large && let Some(triangles) = delaunay(face, &point) {
+            return triangles;
         }
         ears::cut(&joined(face, &point), &point)
     }
@@ -124,7 +126,12 @@ fn joined(face: &MeshFace, point: &impl Fn(u32) -> [f64; 2]) -> Vec<u32> {
         let pairs = (0..ring.len()).flat_map(|i| (0..hole.len()).map(move |j| (i, j)));
         let nearest = pairs.min_by(|&(i, j), &(k, l)| distance(i, j).total_cmp(&distance(k, l)));
         let Some((i, j)) = nearest else { continue };
-        let link: Vec<u32> = hole[j..].iter().chain(&hole[..=j]).chain([&ring[i]]).copied().collect();
+        let link: Vec<u32> = hole[j..]
+            .iter()
+            .chain(&hole[..=j])
+            .chain([&ring[i]])
+            .copied()
+            .collect();
         ring.splice(i + 1..i + 1, link);
     }
     ring

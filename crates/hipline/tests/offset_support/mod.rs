@@ -21,7 +21,14 @@ pub fn lines(lines: &[&[[f64; 2]]]) -> Figure {
 
 pub const SQUARE: &[[f64; 2]] = &[[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.0]];
 pub const RECTANGLE: &[[f64; 2]] = &[[0.0, 0.0], [8.0, 0.0], [8.0, 4.0], [0.0, 4.0]];
-pub const ELL: &[[f64; 2]] = &[[0.0, 0.0], [6.0, 0.0], [6.0, 6.0], [4.0, 6.0], [4.0, 4.0], [0.0, 4.0]];
+pub const ELL: &[[f64; 2]] = &[
+    [0.0, 0.0],
+    [6.0, 0.0],
+    [6.0, 6.0],
+    [4.0, 6.0],
+    [4.0, 4.0],
+    [0.0, 4.0],
+];
 pub const PLUS: &[[f64; 2]] = &[
     [2.0, 0.0],
     [4.0, 0.0],
@@ -43,19 +50,28 @@ pub const FUNNEL: &[[f64; 2]] = &[[0.0, 0.0], [7.0, 1.0], [9.0, 5.0], [4.5, 2.75
 pub fn area(ring: &[[f64; 2]]) -> f64 {
     let [x, y] = ring[0];
     let next = ring.iter().skip(1).chain(ring.first());
-    let cross = ring.iter().zip(next).map(|(p, q)| (p[0] - x) * (q[1] - y) - (q[0] - x) * (p[1] - y));
+    let cross = ring
+        .iter()
+        .zip(next)
+        .map(|(p, q)| (p[0] - x) * (q[1] - y) - (q[0] - x) * (p[1] - y));
     cross.sum::<f64>() / 2.0
 }
 
 fn points(value: &Value) -> Vec<[f64; 2]> {
     let number = |v: &Value| v.as_f64().expect("a number");
-    value.as_array().expect("points").iter().map(|p| [number(&p[0]), number(&p[1])]).collect()
+    value
+        .as_array()
+        .expect("points")
+        .iter()
+        .map(|p| [number(&p[0]), number(&p[1])])
+        .collect()
 }
 
 /// The valid polygons with at most so many vertices, by name, of some files; nothing where
-/// the data are not there.
+/// the data are not there. They lie beside the repository, or where `HIPLINE_DATA` says.
 pub fn polygons(stems: &[&str], limit: usize) -> Vec<(String, Figure, f64)> {
-    let folder = PathBuf::from(concat!(env!("CARGO_MANIFEST_DIR"), "/../../../shared/data"));
+    let beside = concat!(env!("CARGO_MANIFEST_DIR"), "/../../../shared/data");
+    let folder = std::env::var_os("HIPLINE_DATA").map_or_else(|| beside.into(), PathBuf::from);
     if !folder.is_dir() {
         println!("skipped: no shared/data beside the repository");
         return Vec::new();
@@ -69,9 +85,10 @@ pub fn polygons(stems: &[&str], limit: usize) -> Vec<(String, Figure, f64)> {
             let coordinates = geometry["coordinates"].as_array().expect("coordinates");
             let parts: Vec<&Vec<Value>> = match geometry["type"].as_str() {
                 Some("Polygon") => vec![coordinates],
-                Some("MultiPolygon") => {
-                    coordinates.iter().map(|p| p.as_array().expect("rings")).collect()
-                }
+                Some("MultiPolygon") => coordinates
+                    .iter()
+                    .map(|p| p.as_array().expect("rings"))
+                    .collect(),
                 _ => continue,
             };
             let mut builder = FigureBuilder::new();
@@ -82,7 +99,9 @@ pub fn polygons(stems: &[&str], limit: usize) -> Vec<(String, Figure, f64)> {
                 size -= rings[1..].iter().map(|ring| area(ring).abs()).sum::<f64>();
                 builder.polygon(rings);
             }
-            let Ok(figure) = builder.build() else { continue };
+            let Ok(figure) = builder.build() else {
+                continue;
+            };
             if figure.vertices().len() <= limit {
                 let id = feature["properties"]["id"].as_str().unwrap_or("?");
                 list.push((id.to_owned(), figure, size));
