@@ -156,6 +156,10 @@ impl Level<'_> {
                 ring.push((crossing, after[at]));
                 at = next[at];
             }
+            // An arc with one face on both sides is no corner.
+            ring.retain(|(crossing, after)| {
+                self.lift.skeleton.arc(crossing.arc).faces[0] != *after
+            });
             if !ring.is_empty() {
                 rings.push(ring);
             }
