@@ -6,11 +6,15 @@
 //! topology/    ids                               reads no coordinate
 //! kinetic/     the kinetic triangulation engine (Aichholzer & Aurenhammer 1996)
 //! skeleton/    nodes, arcs, faces, verify        the only way out
+//! offset/      the wavefront at given distances
+//! roof/        the skeleton lifted to a surface
 //! ```
 
 pub mod input;
 mod kinetic;
+pub mod offset;
 mod predicates;
+pub mod roof;
 pub mod skeleton;
 pub mod topology;
 

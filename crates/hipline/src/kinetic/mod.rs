@@ -33,6 +33,7 @@ use crate::{
     topology::{TraceId, TriangleId},
 };
 use queue::Queue;
+pub(crate) use setup::terminals;
 use triangulation::Triangulation;
 pub(crate) use wavefront::{End, Trace, Walk, Wavefront};
 

@@ -21,7 +21,7 @@ use crate::{
 use hipline_num::Sign;
 
 /// The vertices of degree one, in order.
-fn terminals(figure: &Figure) -> Vec<Terminal> {
+pub(crate) fn terminals(figure: &Figure) -> Vec<Terminal> {
     if figure.terminals() == 0 {
         return Vec::new();
     }

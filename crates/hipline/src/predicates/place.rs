@@ -1,12 +1,12 @@
 //! Places of nodes: their definitions, their order along an edge, their rounded coordinates.
 
 use dashu_int::IBig;
-use hipline_num::{BallDd, Number, Sign, Surd, f64_to_parts, round_ball_dd_plus, round_quotient_plus};
+use hipline_num::{BallDd, Number, Sign, Surd, compare_quotient_f64, f64_to_parts, round_ball_dd_plus, round_quotient_plus};
 use std::cmp::Ordering;
 
 use super::{
     expression::{Path, meeting},
-    planes::{PlaneId, Planes, Question, Rung},
+    planes::{Plane, PlaneId, Planes, Question, Rung},
 };
 
 /// A place and a moment, by definition.
@@ -16,6 +16,8 @@ pub(crate) enum Place {
     Vertex([f64; 2]),
     /// The intersection of two planes at the moment when three planes meet.
     Event { pair: [PlaneId; 2], moment: [PlaneId; 3] },
+    /// The intersection of two planes at a given time.
+    At { pair: [PlaneId; 2], time: f64 },
     /// Where the perpendicular to `plane`'s edge through the start of a ghost arc, itself a
     /// vertex or an event, reaches the boundary of the face.
     Foot { start: Start, plane: PlaneId, bound: Bound },
@@ -44,6 +46,8 @@ pub(crate) enum Bound {
     Pair([PlaneId; 2]),
     /// An arc of one height.
     Level([PlaneId; 3]),
+    /// No arc: the place at a given time on the way.
+    Time(f64),
 }
 
 /// `x / w`, `y / w` and `time / since`, in the numbers of one rung.
@@ -87,6 +91,12 @@ fn point<T: Rung>(planes: &Planes, place: &Place) -> Point<T> {
                 since: d,
             }
         }
+        Place::At { pair, time } => {
+            let path = Path::<T>::new(planes, pair);
+            let [time, since] = T::time(planes, time);
+            let at = |z: &[T; 2]| z[0].times(&since).plus(&z[1].times(&time));
+            Point { x: at(&path.x), y: at(&path.y), w: path.m.times(&since), time, since }
+        }
         Place::Foot { start, plane, bound } => {
             let plane = T::plane(planes, plane);
             // The coordinate of the start along the edge is p / q.
@@ -106,19 +116,25 @@ fn point<T: Rung>(planes: &Planes, place: &Place) -> Point<T> {
                 }
                 Bound::Level(moment) => {
                     let (n, d) = meeting::<T>(planes, moment);
-                    let level = plane.c.times(&d).minus(&plane.s.times(&n)).times(&q);
-                    let pd = p.times(&d);
-                    let square = plane.a.times(&plane.a).plus(&plane.b.times(&plane.b));
-                    Point {
-                        x: plane.a.times(&level).plus(&plane.b.times(&pd)),
-                        y: plane.b.times(&level).minus(&plane.a.times(&pd)),
-                        w: square.times(&d).times(&q),
-                        time: n.negated(),
-                        since: d,
-                    }
+                    above(&plane, &p, &q, [n.negated(), d])
                 }
+                Bound::Time(time) => above(&plane, &p, &q, T::time(planes, time)),
             }
         }
+    }
+}
+
+/// The point of a plane at a time, whose coordinate along the plane's edge is p / q.
+fn above<T: Number>(plane: &Plane<T>, p: &T, q: &T, [time, since]: [T; 2]) -> Point<T> {
+    let level = plane.c.times(&since).plus(&plane.s.times(&time)).times(q);
+    let p = p.times(&since);
+    let square = plane.a.times(&plane.a).plus(&plane.b.times(&plane.b));
+    Point {
+        x: plane.a.times(&level).plus(&plane.b.times(&p)),
+        y: plane.b.times(&level).minus(&plane.a.times(&p)),
+        w: square.times(&since).times(q),
+        time,
+        since,
     }
 }
 
@@ -169,6 +185,23 @@ impl Question for Drift {
     }
 }
 
+/// The order of the velocities of two vertices along an edge; `None` does not move.
+struct Drifts([Option<[PlaneId; 2]>; 2], PlaneId);
+
+impl Question for Drifts {
+    fn ask<T: Rung>(&self, planes: &Planes) -> Option<Sign> {
+        let plane = T::plane(planes, self.1);
+        let [(u, m), (v, n)] = self.0.map(|pair| match pair {
+            None => (T::zero(), T::from_i64(1)),
+            Some(pair) => {
+                let path = Path::<T>::new(planes, pair);
+                (plane.b.times(&path.x[1]).minus(&plane.a.times(&path.y[1])), path.m)
+            }
+        });
+        Some(u.times(&n).minus(&v.times(&m)).sign()? * m.sign()? * n.sign()?)
+    }
+}
+
 /// How a vertex that does not move along an edge lies to a place.
 struct Beside<'a>([PlaneId; 2], &'a Place, PlaneId);
 
@@ -198,6 +231,18 @@ impl Planes {
         if p == q { Ordering::Equal } else { self.decide(&Order(p, q, Key::Along(plane))).ordering() }
     }
 
+    /// Compares the velocities of two vertices (`None`: at rest) along the direction of a
+    /// plane's wavefront edge.
+    pub(crate) fn compare_drifts(&self, pairs: [Option<[PlaneId; 2]>; 2], plane: PlaneId) -> Ordering {
+        self.decide(&Drifts(pairs, plane)).ordering()
+    }
+
+    /// Compares the time of a place with a number, exactly.
+    pub(crate) fn compare_time(&self, place: &Place, time: f64) -> Ordering {
+        let exact = point::<Surd>(self, place);
+        compare_quotient_f64(&exact.time, &exact.since, self.time_unit, 0.0, time)
+    }
+
     /// Compares the times of two places.
     pub(crate) fn compare_times(&self, p: &Place, q: &Place) -> Ordering {
         if p == q { Ordering::Equal } else { self.decide(&Order(p, q, Key::Time)).ordering() }
@@ -223,7 +268,7 @@ impl Planes {
             return [x, y, 0.0];
         }
         let near = point::<BallDd>(self, place);
-        let (x_unit, t_unit) = (self.unit + self.shift, self.time_unit + self.shift - self.speed_shift());
+        let (x_unit, t_unit) = (self.unit + self.shift, self.rough_time_unit());
         let fast = [
             round_ball_dd_plus(&near.x, &near.w, x_unit, self.origin[0]),
             round_ball_dd_plus(&near.y, &near.w, x_unit, self.origin[1]),

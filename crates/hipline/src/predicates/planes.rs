@@ -7,7 +7,7 @@
 //! them small on grids. The root is the only irrational number in the plane.
 
 use dashu_int::{IBig, UBig, ops::Gcd, ops::UnsignedAbs};
-use hipline_num::{Ball, BallDd, Number, Rungs, Sign, Surd};
+use hipline_num::{Ball, BallDd, Number, Rungs, Sign, Surd, f64_to_parts};
 use std::cell::Cell;
 
 use super::{
@@ -86,6 +86,8 @@ pub(crate) trait Rung: Number {
     fn line(planes: &Planes, line: usize) -> [Self; 4];
     /// An integer, in the approximations without its last `shift` binary digits.
     fn integer(value: &IBig, shift: i32) -> Self;
+    /// `p` and `q` with the given time = `p / q`, in the unit that meetings are in.
+    fn time(planes: &Planes, time: f64) -> [Self; 2];
     /// Encloses the root of `g0 + g1 t + g2 t^2` at which it falls; only approximations can.
     fn falling_root(g: &Quadratic<Self>) -> Option<Self>;
 
@@ -108,6 +110,9 @@ impl Rung for Ball {
     fn line(planes: &Planes, line: usize) -> [Self; 4] {
         planes.balls[line]
     }
+    fn time(planes: &Planes, time: f64) -> [Self; 2] {
+        [Self::from_f64(time).ldexp(-planes.rough_time_unit()), Self::from_i64(1)]
+    }
     fn falling_root(g: &Quadratic<Self>) -> Option<Self> {
         ball_root::falling_root(g)
     }
@@ -123,6 +128,9 @@ impl Rung for Ball {
 }
 
 impl Rung for BallDd {
+    fn time(planes: &Planes, time: f64) -> [Self; 2] {
+        [Self::from_f64(time).ldexp(-planes.rough_time_unit()), Self::from_i64(1)]
+    }
     fn falling_root(g: &Quadratic<Self>) -> Option<Self> {
         dd_root::falling_root(g)
     }
@@ -152,6 +160,12 @@ impl Rung for BallDd {
 }
 
 impl Rung for Surd {
+    fn time(planes: &Planes, time: f64) -> [Self; 2] {
+        let (mantissa, exponent) = f64_to_parts(time);
+        let shift = exponent - planes.time_unit;
+        let power = |digits: i32| IBig::ONE << digits.max(0) as usize;
+        [Self::from_int(mantissa * power(shift)), Self::from_int(power(-shift))]
+    }
     fn falling_root(_: &Quadratic<Self>) -> Option<Self> {
         None
     }
@@ -371,6 +385,11 @@ impl Planes {
     /// Binary digits of the speeds dropped in the approximations.
     pub(crate) fn speed_shift(&self) -> i32 {
         self.speeds.as_ref().map_or(0, |speeds| speeds.shift)
+    }
+
+    /// The exponent of the unit of time of the approximations.
+    pub(crate) fn rough_time_unit(&self) -> i32 {
+        self.time_unit + self.shift - self.speed_shift()
     }
 
     /// Whether all speeds are one, so that faces are monotone.

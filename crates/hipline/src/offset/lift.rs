@@ -1,0 +1,178 @@
+//! From the faces and nodes of a skeleton back to the planes that define them.
+//!
+//! A skeleton keeps rounded numbers only. Where they do not decide, the definition of a node
+//! is found again from the faces around it.
+
+use crate::{
+    input::Figure,
+    kinetic::terminals,
+    predicates::{Bound, Place, PlaneId, Planes, Start},
+    skeleton::{ArcKind, NodeKind, Side, Skeleton},
+    topology::{ArcId, FaceId, NodeId},
+};
+use hipline_num::Sign;
+use std::cell::OnceCell;
+
+/// A skeleton with the planes of its faces.
+pub(super) struct Lift<'a> {
+    pub skeleton: &'a Skeleton,
+    pub planes: Planes,
+    /// The tips of the terminals, ascending.
+    tips: Vec<usize>,
+    edges: usize,
+    /// The arcs at each node: those of node i from `.0[i]` to `.0[i + 1]`.
+    arcs: OnceCell<(Vec<u32>, Vec<ArcId>)>,
+}
+
+impl<'a> Lift<'a> {
+    pub(super) fn new(skeleton: &'a Skeleton, figure: &Figure) -> Self {
+        let same = figure.vertices().len() == skeleton.input().vertices
+            && figure.edges().len() == skeleton.input().edges.len()
+            && figure
+                .edges()
+                .iter()
+                .zip(&skeleton.input().edges)
+                .all(|(e, f)| [e.from, e.to] == *f);
+        assert!(same, "the skeleton is not that of this figure");
+        let terminals = terminals(figure);
+        Self {
+            skeleton,
+            planes: Planes::new(figure, &terminals),
+            tips: terminals.iter().map(|terminal| terminal.tip).collect(),
+            edges: figure.edges().len(),
+            arcs: OnceCell::new(),
+        }
+    }
+
+    /// The plane of a face.
+    pub(super) fn plane(&self, face: FaceId) -> PlaneId {
+        let face = self.skeleton.face(face);
+        let [from, to] = self.skeleton.input().edges[face.edge.index()];
+        let terminal = |tip: usize| {
+            let i = self
+                .tips
+                .binary_search(&tip)
+                .expect("the face of a terminal");
+            2 * (self.edges + i) as u32
+        };
+        PlaneId(match face.side {
+            Side::Left => 2 * face.edge.index() as u32,
+            Side::Right => 2 * face.edge.index() as u32 + 1,
+            Side::Start => terminal(from.index()),
+            Side::End => terminal(to.index()),
+        })
+    }
+
+    /// The planes of the two faces beside an arc that is no ghost and not of one height, the
+    /// first turning left into the second.
+    pub(super) fn pair(&self, arc: ArcId) -> [PlaneId; 2] {
+        self.oriented(self.skeleton.arc(arc).faces.map(|face| self.plane(face)))
+    }
+
+    fn oriented(&self, [i, j]: [PlaneId; 2]) -> [PlaneId; 2] {
+        if self.planes.turn(i, j) == Sign::Negative {
+            [j, i]
+        } else {
+            [i, j]
+        }
+    }
+
+    fn arcs_at(&self, node: NodeId) -> &[ArcId] {
+        let (first, list) = self.arcs.get_or_init(|| {
+            let mut first = vec![0_u32; self.skeleton.nodes().len() + 1];
+            for arc in self.skeleton.arcs() {
+                for end in arc.nodes {
+                    first[end.index() + 1] += 1;
+                }
+            }
+            for i in 1..first.len() {
+                first[i] += first[i - 1];
+            }
+            let mut at = first.clone();
+            let mut list = vec![ArcId::new(0); 2 * self.skeleton.arcs().len()];
+            for (i, arc) in self.skeleton.arcs().iter().enumerate() {
+                for end in arc.nodes {
+                    let slot = &mut at[end.index()];
+                    list[*slot as usize] = ArcId::new(i);
+                    *slot += 1;
+                }
+            }
+            (first, list)
+        });
+        &list[first[node.index()] as usize..first[node.index() + 1] as usize]
+    }
+
+    /// The definition of a finite node.
+    pub(super) fn place(&self, id: NodeId) -> Place {
+        let node = self.skeleton.node(id);
+        if matches!(node.kind, NodeKind::Input(_)) {
+            return Place::Vertex([node.x, node.y]);
+        }
+        let planes: Vec<PlaneId> = self
+            .arcs_at(id)
+            .iter()
+            .flat_map(|&arc| self.skeleton.arc(arc).faces)
+            .map(|face| self.plane(face))
+            .collect();
+        let first = planes[0];
+        let Some(&across) = planes
+            .iter()
+            .find(|&&p| !self.planes.turn(first, p).is_zero())
+        else {
+            return self.foot_on_level(id, &planes);
+        };
+        let pair = self.oriented([first, across]);
+        match planes
+            .iter()
+            .find(|&&p| self.planes.do_meet([first, across, p]))
+        {
+            Some(&third) => {
+                let mut moment = [first, across, third];
+                moment.sort_unstable();
+                Place::Event { pair, moment }
+            }
+            // All planes have a line in common: a ghost arc ends at another arc.
+            None => self.foot(id, Bound::Pair(pair)),
+        }
+    }
+
+    /// The end of a ghost arc at an arc of one height.
+    fn foot_on_level(&self, id: NodeId, planes: &[PlaneId]) -> Place {
+        let first = planes[0];
+        let other = planes.iter().find(|&&p| !self.planes.coplanar(first, p));
+        let &other = other.unwrap_or_else(|| panic!("{id} has one plane only"));
+        // Two parallel planes meet at one moment, wherever a third one cuts them.
+        let lines = (self.edges + self.tips.len()) as u32;
+        let third = (0..lines)
+            .map(|line| PlaneId(2 * line))
+            .find(|&p| !self.planes.turn(first, p).is_zero());
+        let third = third.expect("an arc of one height is in a figure of more than one direction");
+        let mut moment = [first, other, third];
+        moment.sort_unstable();
+        self.foot(id, Bound::Level(moment))
+    }
+
+    fn foot(&self, id: NodeId, bound: Bound) -> Place {
+        let ghost = self.arcs_at(id).iter().find(|&&arc| {
+            let arc = self.skeleton.arc(arc);
+            arc.kind == ArcKind::Ghost && arc.nodes[1] == id
+        });
+        let &ghost = ghost.unwrap_or_else(|| panic!("{id} has two planes and no ghost arc"));
+        self.on_ghost(ghost, bound)
+    }
+
+    /// A place on a ghost arc.
+    pub(super) fn on_ghost(&self, ghost: ArcId, bound: Bound) -> Place {
+        let arc = self.skeleton.arc(ghost);
+        let start = match self.place(arc.nodes[0]) {
+            Place::Vertex(v) => Start::Vertex(v),
+            Place::Event { pair, moment } => Start::Event { pair, moment },
+            place => unreachable!("{ghost} starts at {place:?}"),
+        };
+        Place::Foot {
+            start,
+            plane: self.plane(arc.faces[0]),
+            bound,
+        }
+    }
+}
