@@ -18,11 +18,11 @@ use std::cmp::Ordering;
 
 use super::{
     Kinetic,
-    schedule::corner,
+    schedule::{corner, meeting_moment},
     triangulation::{Across, Tip, next, prev},
     wavefront::{End, EventNode, Trace, Walk, Wave},
 };
-use crate::predicates::{Area, Direction, Moment, Part};
+use crate::predicates::{Area, Direction, Moment, Part, PlaneId};
 use crate::topology::{TraceId, TriangleId, WaveId};
 use hipline_num::Sign;
 
@@ -234,12 +234,25 @@ impl Kinetic<'_> {
         }
     }
 
+    /// An event of the wavefront is found at a moment that so far was known as the root of a
+    /// quadratic only: names it by three planes. (Two vertices may meet that had no spoke
+    /// between them until a flip at this very moment.)
+    fn name_moment(&mut self, triple: impl FnOnce(&Self) -> Option<[PlaneId; 3]>) {
+        if let Moment::Root(_) = self.now {
+            let triple = triple(self).expect("events happen when three planes meet");
+            self.now = Moment::of_planes(triple);
+        }
+    }
+
     /// Side k of `t` has length zero.
     fn contract(&mut self, t: TriangleId, k: usize) {
         let triangle = *self.triangulation.get(t);
         let [u, v] =
             [triangle.tips[next(k)], triangle.tips[prev(k)]].map(|tip| tip.trace().expect("a finite corner"));
         assert_ne!(u, v, "{t} has a side from {u} to itself");
+        self.name_moment(|this| {
+            meeting_moment(&this.planes, this.front.trace(u), this.front.trace(v))
+        });
         let node = self.common_node(u, v);
         let (at_u, at_v) = (*self.front.trace(u), *self.front.trace(v));
         let fan_u: Vec<_> = self.triangulation.fan(at_u.out).collect();
@@ -319,6 +332,10 @@ impl Kinetic<'_> {
         let [w, u, v] =
             [k, next(k), prev(k)].map(|i| triangle.tips[i].trace().expect("wavefront edges are finite"));
         self.stats.split_events += 1;
+        self.name_moment(|this| {
+            let [i, j] = this.front.trace(w).pair;
+            Some([this.front.wave(wave).plane, i, j])
+        });
         let node = self.node_now(w);
         let at_w = *self.front.trace(w);
         let fan: Vec<_> = self.triangulation.fan(at_w.out).collect();

@@ -27,7 +27,7 @@ pub(super) fn corner(front: &Wavefront, tip: super::triangulation::Tip) -> Corne
 }
 
 /// The moment at which two vertices meet whose paths cross, if they ever do.
-fn meeting_moment(planes: &Planes, u: &Trace, v: &Trace) -> Option<[PlaneId; 3]> {
+pub(super) fn meeting_moment(planes: &Planes, u: &Trace, v: &Trace) -> Option<[PlaneId; 3]> {
     v.pair
         .into_iter()
         .map(|third| [u.pair[0], u.pair[1], third])

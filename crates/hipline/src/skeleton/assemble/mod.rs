@@ -366,7 +366,13 @@ impl Assembly<'_> {
         let side = |end: u32, step: Step| match &self.places[end as usize] {
             Some(place) => self.planes.compare_along(place, &here, plane),
             None => {
-                self.planes.compare_far(self.front.trace(self.pieces[step / 2].trace).pair, &here, plane)
+                let piece = &self.pieces[step / 2];
+                match &self.places[piece.from as usize] {
+                    Some(start) if piece.kind == ArcKind::Ghost => {
+                        self.planes.compare_along(start, &here, plane)
+                    }
+                    _ => self.planes.compare_far(self.front.trace(piece.trace).pair, &here, plane),
+                }
             }
         };
         let mut below = 0;
