@@ -105,6 +105,11 @@ impl Checker<'_> {
             let step = self.incidence.steps[first + i];
             let ends = [from, corners[(i + 1) % corners.len()]].map(finite);
             if step == dart::JUMP {
+                // A face can be unbounded on its right, on its left, or on both sides of
+                // an upper chain: one jump each.
+                if stage > Stage::Upper {
+                    return false;
+                }
                 jumped = true;
                 continue;
             }

@@ -293,7 +293,6 @@ impl Checker<'_> {
         let range = s.cycles[cycle] as usize..s.cycles[cycle + 1] as usize;
         let corners = &s.corners[range.clone()];
         let at_infinity = |n: NodeId| matches!(s.node(n).kind, NodeKind::Infinite { .. });
-        let mut jumps = 0;
         for (i, &from) in corners.iter().enumerate() {
             let to = corners[(i + 1) % corners.len()];
             let step = &mut self.incidence.steps[range.start + i];
@@ -309,7 +308,6 @@ impl Checker<'_> {
                 continue;
             }
             if at_infinity(from) && at_infinity(to) && from != to {
-                jumps += 1;
                 continue;
             }
             let mut ends = [from, to].map(|n| n.index() as u32);
@@ -326,9 +324,6 @@ impl Checker<'_> {
             if s.arc(arc).faces[backward] != face {
                 self.report.add(Violation::WrongSide { face, arc });
             }
-        }
-        if jumps > 1 {
-            self.report.add(Violation::Jumps { face });
         }
         self.link(range);
     }

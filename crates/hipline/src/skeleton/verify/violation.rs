@@ -115,12 +115,6 @@ pub enum Violation {
         /// The number of its arcs.
         degree: usize,
     },
-    /// The boundary of a face jumps more than once at infinity.
-    #[error("{face}: its boundary jumps more than once at infinity")]
-    Jumps {
-        /// The face.
-        face: FaceId,
-    },
     /// A node whose faces' planes do not meet in a point.
     #[error("{node}: the planes of its faces do not determine it")]
     Undetermined {
