@@ -17,7 +17,12 @@ fn folder() -> Option<PathBuf> {
 }
 
 fn list<T>(value: &Value, convert: impl FnMut(&Value) -> T) -> Vec<T> {
-    value.as_array().expect("an array").iter().map(convert).collect()
+    value
+        .as_array()
+        .expect("an array")
+        .iter()
+        .map(convert)
+        .collect()
 }
 
 fn point(value: &Value) -> [f64; 2] {
@@ -37,7 +42,9 @@ fn figure(feature: &Value) -> Option<Figure> {
         "Polygon" => {
             let weights = &feature["properties"]["edge_weights"];
             if weights.is_array() {
-                let speeds = list(weights, |ring| list(ring, |w| w.as_f64().expect("a number")));
+                let speeds = list(weights, |ring| {
+                    list(ring, |w| w.as_f64().expect("a number"))
+                });
                 builder.weighted_polygon(rings(coordinates), speeds);
             } else {
                 builder.polygon(rings(coordinates));
@@ -59,7 +66,9 @@ fn figure(feature: &Value) -> Option<Figure> {
 
 /// A number from the environment.
 fn setting(name: &str, default: usize) -> usize {
-    std::env::var(name).ok().map_or(default, |text| text.parse().expect("a number"))
+    std::env::var(name)
+        .ok()
+        .map_or(default, |text| text.parse().expect("a number"))
 }
 
 #[test]
@@ -73,7 +82,10 @@ fn skeletons_of_the_shared_cases_obey_the_laws() {
     let mut files: Vec<PathBuf> = std::fs::read_dir(folder)
         .expect("the folder can be read")
         .map(|entry| entry.expect("the folder can be read").path())
-        .filter(|path| path.extension().is_some_and(|extension| extension == "geojson"))
+        .filter(|path| {
+            path.extension()
+                .is_some_and(|extension| extension == "geojson")
+        })
         .collect();
     files.sort();
     let (mut count, mut failures) = (0, Vec::new());
@@ -83,11 +95,15 @@ fn skeletons_of_the_shared_cases_obey_the_laws() {
         let collection: Value = serde_json::from_str(&text).expect("the file is JSON");
         for feature in collection["features"].as_array().expect("features") {
             let id = feature["properties"]["id"].as_str().expect("an id");
-            let size = feature["properties"]["n_vertices"].as_u64().expect("a size") as usize;
+            let size = feature["properties"]["n_vertices"]
+                .as_u64()
+                .expect("a size") as usize;
             if !id.contains(&only) || !(least..=most).contains(&size) {
                 continue;
             }
-            let Some(figure) = figure(feature) else { continue };
+            let Some(figure) = figure(feature) else {
+                continue;
+            };
             for region in [Region::Interior, Region::Exterior, Region::Both] {
                 if region != Region::Both && !figure.has_polygon() {
                     continue;
@@ -107,17 +123,29 @@ fn skeletons_of_the_shared_cases_obey_the_laws() {
                 match outcome {
                     Ok(Ok(())) => {}
                     Ok(Err(found)) => {
-                        let some: Vec<String> = found.list.iter().take(4).map(ToString::to_string).collect();
-                        failures.push(format!("{id} {region:?}: {} violations: {}", found.total, some.join("; ")));
+                        let some: Vec<String> =
+                            found.list.iter().take(4).map(ToString::to_string).collect();
+                        failures.push(format!(
+                            "{id} {region:?}: {} violations: {}",
+                            found.total,
+                            some.join("; ")
+                        ));
                     }
                     Err(_) => failures.push(format!("{id} {region:?}: the verification panics")),
                 }
             }
         }
     }
-    println!("{count} skeletons, {} break laws; built in {building:?}, checked in {checking:?}", failures.len());
+    println!(
+        "{count} skeletons, {} break laws; built in {building:?}, checked in {checking:?}",
+        failures.len()
+    );
     for failure in &failures {
         println!("{failure}");
     }
-    assert!(failures.is_empty(), "{} of {count} skeletons break laws", failures.len());
+    assert!(
+        failures.is_empty(),
+        "{} of {count} skeletons break laws",
+        failures.len()
+    );
 }

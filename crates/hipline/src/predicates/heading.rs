@@ -24,7 +24,11 @@ impl Course {
     fn vector<T: Rung>(self, planes: &Planes) -> [T; 2] {
         match self {
             Self::Moving(pair) => {
-                let Path { x: [_, x], y: [_, y], .. } = Path::<T>::new(planes, pair);
+                let Path {
+                    x: [_, x],
+                    y: [_, y],
+                    ..
+                } = Path::<T>::new(planes, pair);
                 [x, y]
             }
             Self::Along(plane) => {
@@ -51,7 +55,11 @@ pub(crate) struct Heading {
 impl Heading {
     /// The opposite direction.
     pub(crate) const fn reversed(self) -> Self {
-        Self { reversed: !self.reversed, upper: !self.upper, ..self }
+        Self {
+            reversed: !self.reversed,
+            upper: !self.upper,
+            ..self
+        }
     }
 }
 
@@ -82,7 +90,11 @@ impl Planes {
             Sign::Zero => self.decide(&Component(course, 0)),
             sign => sign,
         };
-        Heading { course, reversed: false, upper: sign == Sign::Positive }
+        Heading {
+            course,
+            reversed: false,
+            upper: sign == Sign::Positive,
+        }
     }
 
     /// Compares two directions by their angles to the x axis, from 0 to 360 degrees.
@@ -94,7 +106,11 @@ impl Planes {
             return Ordering::Equal;
         }
         let cross = self.decide(&Cross(p.course, q.course));
-        let left = if p.reversed == q.reversed { cross } else { -cross };
+        let left = if p.reversed == q.reversed {
+            cross
+        } else {
+            -cross
+        };
         left.ordering().reverse()
     }
 }

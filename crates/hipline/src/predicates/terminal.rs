@@ -32,7 +32,12 @@ impl Terminal {
             for (tip, inner) in [(edge.from, edge.to), (edge.to, edge.from)] {
                 if degree[tip.index()] == 1 {
                     let speed = edge.speeds[0].max(edge.speeds[1]);
-                    list.push(Self { tip: tip.index(), inner: inner.index(), edge: e, speed });
+                    list.push(Self {
+                        tip: tip.index(),
+                        inner: inner.index(),
+                        edge: e,
+                        speed,
+                    });
                 }
             }
         }

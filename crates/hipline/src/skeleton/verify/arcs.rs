@@ -81,7 +81,9 @@ impl Checker<'_> {
                 }
             }
             (Ordering::Equal, _) => self.report.add(Violation::NoLength { arc: id }),
-            (Ordering::Less | Ordering::Greater, _) => self.report.add(Violation::NotLater { arc: id }),
+            (Ordering::Less | Ordering::Greater, _) => {
+                self.report.add(Violation::NotLater { arc: id })
+            }
         }
         if nature == Nature::Ghost && self.planes.compare_along(&from, &to, plane).is_ne() {
             self.report.add(Violation::Slanted { arc: id });
@@ -93,24 +95,32 @@ impl Checker<'_> {
         let arc = *self.skeleton.arc(id);
         let node = arc.nodes[1];
         let [from, to] = arc.nodes.map(|n| *self.skeleton.node(n));
-        let NodeKind::Infinite { direction } = to.kind else { unreachable!("it has no place") };
+        let NodeKind::Infinite { direction } = to.kind else {
+            unreachable!("it has no place")
+        };
         let expected = match nature {
             Nature::Level => {
                 self.report.add(Violation::NotLater { arc: id });
                 return;
             }
-            Nature::Ghost => self.planes.round_normal_velocity(self.plane_of(arc.faces[0])),
+            Nature::Ghost => self
+                .planes
+                .round_normal_velocity(self.plane_of(arc.faces[0])),
             Nature::Crossing(_) => {
                 let pair = arc.faces.map(|face| self.plane_of(face));
                 self.planes.round_velocity(self.turning_left(pair))
             }
         };
         if expected.map(f64::to_bits) != direction.map(f64::to_bits) {
-            self.report.add(Violation::WrongDirection { node, expected });
+            self.report
+                .add(Violation::WrongDirection { node, expected });
         }
         let place = [from.x, from.y, f64::INFINITY];
         if place.map(f64::to_bits) != [to.x, to.y, to.time].map(f64::to_bits) {
-            self.report.add(Violation::NotRounded { node, expected: place });
+            self.report.add(Violation::NotRounded {
+                node,
+                expected: place,
+            });
         }
     }
 
@@ -118,7 +128,9 @@ impl Checker<'_> {
         let [i, j] = arc.faces.map(|face| self.plane_of(face));
         match nature {
             Nature::Ghost => self.planes.heading(Course::Normal(i)),
-            Nature::Crossing(_) => self.planes.heading(Course::Moving(self.turning_left([i, j]))),
+            Nature::Crossing(_) => self
+                .planes
+                .heading(Course::Moving(self.turning_left([i, j]))),
             Nature::Level => {
                 let heading = self.planes.heading(Course::Along(i));
                 let [from, to] = arc.nodes.map(|n| self.places[n.index()]);
@@ -138,10 +150,15 @@ impl Checker<'_> {
         for i in 0..self.skeleton.nodes.len() {
             let node = NodeId::new(i);
             let kind = self.skeleton.node(node).kind;
-            if matches!(kind, NodeKind::Infinite { .. }) {
+            if self.skeleton.node(node).is_at_infinity() {
                 continue;
             }
-            let arcs = || self.incidence.arcs(node).iter().map(|&a| (ArcId::raw(a), self.skeleton.arc(ArcId::raw(a))));
+            let arcs = || {
+                self.incidence
+                    .arcs(node)
+                    .iter()
+                    .map(|&a| (ArcId::raw(a), self.skeleton.arc(ArcId::raw(a))))
+            };
             if kind == NodeKind::Event {
                 let reached = arcs().any(|(id, arc)| arc.nodes[1] == node || level[id.index()]);
                 if !reached {
@@ -151,8 +168,11 @@ impl Checker<'_> {
             if !self.unweighted {
                 continue;
             }
-            let ending = arcs().filter(|(_, arc)| arc.kind == ArcKind::Valley && arc.nodes[1] == node).count();
-            let starting = arcs().find(|(_, arc)| arc.kind == ArcKind::Valley && arc.nodes[0] == node);
+            let ending = arcs()
+                .filter(|(_, arc)| arc.kind == ArcKind::Valley && arc.nodes[1] == node)
+                .count();
+            let starting =
+                arcs().find(|(_, arc)| arc.kind == ArcKind::Valley && arc.nodes[0] == node);
             if let (Some((arc, _)), NodeKind::Event) = (starting, kind)
                 && ending < 2
             {

@@ -12,7 +12,7 @@
 use super::{Checker, Violation, dart};
 use crate::{
     predicates::PlaneId,
-    skeleton::{ArcKind, NodeKind},
+    skeleton::ArcKind,
     topology::{ArcId, FaceId, NodeId},
 };
 use hipline_num::Sign;
@@ -88,7 +88,11 @@ impl Checker<'_> {
                 _ => self.planes.drift(self.turning_left(pair), plane),
             }
         };
-        if step.is_multiple_of(2) { forward } else { -forward }
+        if step.is_multiple_of(2) {
+            forward
+        } else {
+            -forward
+        }
     }
 
     /// Walks around a face and sorts its pieces into chains. False if it is not monotone.
@@ -97,7 +101,7 @@ impl Checker<'_> {
         let arcs = self.skeleton.arcs.len();
         let first = self.skeleton.cycles[self.skeleton.face(face).cycles[0] as usize] as usize;
         let corners = self.skeleton.boundary(face);
-        let finite = |n: NodeId| self.skeleton.node(n).time.is_finite().then_some(n);
+        let finite = |n: NodeId| (!self.skeleton.node(n).is_at_infinity()).then_some(n);
         let mut stage = Stage::LowerRight;
         let mut jumped = false;
         chains.clear();
@@ -125,7 +129,10 @@ impl Checker<'_> {
                 ArcKind::Ghost => Sign::Zero,
             };
             if progress != expected {
-                self.report.add(Violation::WrongProgress { face, arc: ArcId::raw(step / 2) });
+                self.report.add(Violation::WrongProgress {
+                    face,
+                    arc: ArcId::raw(step / 2),
+                });
             }
             let other = Some(self.plane_of(arc.faces[usize::from(step.is_multiple_of(2))]));
             let next = match progress {
@@ -141,7 +148,10 @@ impl Checker<'_> {
             stage = next;
             match stage {
                 Stage::LowerRight => chains.lower.push(Piece { ends, other }),
-                Stage::Upper => chains.upper.push(Piece { ends: [ends[1], ends[0]], other }),
+                Stage::Upper => chains.upper.push(Piece {
+                    ends: [ends[1], ends[0]],
+                    other,
+                }),
                 Stage::LowerLeft => chains.left.push(Piece { ends, other }),
                 Stage::Right | Stage::Left => {}
             }
@@ -155,7 +165,9 @@ impl Checker<'_> {
     /// Checks that the corners of one chain are on the proper side of the pieces of the other:
     /// positive, if they must be ahead of the planes beyond these.
     fn check_sides(&mut self, face: FaceId, chain: &[Piece], pieces: &[Piece], side: Sign) {
-        let (Some(first), Some(last)) = (chain.first(), chain.last()) else { return };
+        let (Some(first), Some(last)) = (chain.first(), chain.last()) else {
+            return;
+        };
         let plane = self.plane_of(face);
         let order = |p: NodeId, q: NodeId| {
             let [p, q] = [p, q].map(|n| self.places[n.index()].expect("a finite node"));
@@ -163,9 +175,15 @@ impl Checker<'_> {
         };
         let mut wrong = Vec::new();
         let mut k = 0;
-        let corners = chain.iter().filter_map(|piece| piece.ends[0]).chain(last.ends[1]);
+        let corners = chain
+            .iter()
+            .filter_map(|piece| piece.ends[0])
+            .chain(last.ends[1]);
         for node in corners {
-            while let Some(Piece { ends: [_, Some(end)], .. }) = pieces.get(k)
+            while let Some(Piece {
+                ends: [_, Some(end)],
+                ..
+            }) = pieces.get(k)
                 && *end != node
                 && order(*end, node).is_lt()
             {
@@ -173,9 +191,11 @@ impl Checker<'_> {
             }
             let Some(piece) = pieces.get(k) else { break };
             if piece.ends[0] == Some(node) || piece.ends[1] == Some(node) {
-                let joint_start = k == 0 && piece.ends[0] == Some(node) && first.ends[0] == Some(node);
-                let joint_end =
-                    k + 1 == pieces.len() && piece.ends[1] == Some(node) && last.ends[1] == Some(node);
+                let joint_start =
+                    k == 0 && piece.ends[0] == Some(node) && first.ends[0] == Some(node);
+                let joint_end = k + 1 == pieces.len()
+                    && piece.ends[1] == Some(node)
+                    && last.ends[1] == Some(node);
                 if !joint_start && !joint_end {
                     wrong.push(node);
                 }
@@ -200,12 +220,15 @@ impl Checker<'_> {
     fn check_area(&mut self, face: FaceId) {
         let outer = std::iter::once(self.skeleton.boundary(face));
         let cycles: Vec<&[NodeId]> = outer.chain(self.skeleton.holes(face)).collect();
-        let infinite = |n: &NodeId| matches!(self.skeleton.node(*n).kind, NodeKind::Infinite { .. });
+        let infinite = |n: &NodeId| self.skeleton.node(*n).is_at_infinity();
         if cycles.iter().any(|cycle| cycle.iter().any(infinite)) {
             return;
         }
         let places = cycles.iter().map(|cycle| {
-            cycle.iter().map(|n| self.places[n.index()].as_ref().expect("a finite node")).collect()
+            cycle
+                .iter()
+                .map(|n| self.places[n.index()].as_ref().expect("a finite node"))
+                .collect()
         });
         if self.planes.area_sign(places) == Some(Sign::Negative) {
             self.report.add(Violation::Clockwise { face });

@@ -38,7 +38,7 @@ mod violation;
 
 pub use violation::{Violation, Violations};
 
-use super::{Face, Side, Skeleton};
+use super::{Face, Node, NodeKind, Side, Skeleton};
 use crate::{
     input::Figure,
     predicates::{Heading, Place, PlaneId, Planes, Terminal},
@@ -118,9 +118,12 @@ impl Skeleton {
             checker.plane_of = self.faces.iter().map(|face| checker.plane(face)).collect();
             checker.check_places();
         }
-        // From here on every finite node must have a place.
-        if checker.places.iter().zip(&self.nodes).all(|(p, n)| p.is_some() || n.time.is_infinite())
-            && !checker.places.is_empty()
+        // From here on every node must have a place, but for those at infinity.
+        let known = checker.places.iter().zip(&self.nodes);
+        if !checker.places.is_empty()
+            && known
+                .into_iter()
+                .all(|(p, n)| p.is_some() != n.is_at_infinity())
         {
             checker.check_arcs();
             checker.check_face_shapes();
@@ -130,10 +133,18 @@ impl Skeleton {
     }
 }
 
+impl Node {
+    const fn is_at_infinity(&self) -> bool {
+        matches!(self.kind, NodeKind::Infinite { .. })
+    }
+}
+
 impl Checker<'_> {
     /// The number of the terminal at a vertex, if it is one.
     fn terminal_at(&self, vertex: VertexId) -> Option<usize> {
-        self.terminals.binary_search_by_key(&vertex.index(), |terminal| terminal.tip).ok()
+        self.terminals
+            .binary_search_by_key(&vertex.index(), |terminal| terminal.tip)
+            .ok()
     }
 
     /// The plane of a face that belongs to the figure.
@@ -157,6 +168,10 @@ impl Checker<'_> {
 
     /// Two planes that are not parallel, the first turning left into the second.
     fn turning_left(&self, [i, j]: [PlaneId; 2]) -> [PlaneId; 2] {
-        if self.planes.turn(i, j).is_positive() { [i, j] } else { [j, i] }
+        if self.planes.turn(i, j).is_positive() {
+            [i, j]
+        } else {
+            [j, i]
+        }
     }
 }

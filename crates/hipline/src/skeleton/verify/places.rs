@@ -10,7 +10,10 @@ use crate::{
 /// What the planes around a node have in common.
 enum Common {
     /// A point.
-    Point { pair: [PlaneId; 2], moment: [PlaneId; 3] },
+    Point {
+        pair: [PlaneId; 2],
+        moment: [PlaneId; 3],
+    },
     /// A line: the node must be where a ghost arc ends.
     Line(Bound),
     /// Nothing definite.
@@ -55,21 +58,34 @@ impl Checker<'_> {
 
     /// The faces around a node, each at least once.
     fn faces_at(&self, node: NodeId) -> impl Iterator<Item = FaceId> + '_ {
-        self.incidence.arcs(node).iter().flat_map(|&a| self.skeleton.arc(ArcId::raw(a)).faces)
+        self.incidence
+            .arcs(node)
+            .iter()
+            .flat_map(|&a| self.skeleton.arc(ArcId::raw(a)).faces)
     }
 
     /// Finds three planes that meet in a point. Taking the first that is not parallel to the
     /// first, then the first that is independent of both, finds them if there are any.
     fn common(&self, node: NodeId) -> Common {
-        let mut planes: Vec<PlaneId> = self.faces_at(node).map(|face| self.plane_of(face)).collect();
+        let mut planes: Vec<PlaneId> = self
+            .faces_at(node)
+            .map(|face| self.plane_of(face))
+            .collect();
         planes.sort_unstable();
         planes.dedup();
-        let Some(&i) = planes.first() else { return Common::Unknown };
-        let Some(&j) = planes.iter().find(|&&j| j != i && !self.planes.turn(i, j).is_zero()) else {
+        let Some(&i) = planes.first() else {
+            return Common::Unknown;
+        };
+        let Some(&j) = planes
+            .iter()
+            .find(|&&j| j != i && !self.planes.turn(i, j).is_zero())
+        else {
             return self.level(i, &planes);
         };
         let pair = self.turning_left([i, j]);
-        let third = planes.iter().find(|&&k| k != i && k != j && self.planes.do_meet([i, j, k]));
+        let third = planes
+            .iter()
+            .find(|&&k| k != i && k != j && self.planes.do_meet([i, j, k]));
         match third {
             Some(&k) => {
                 let mut moment = [i, j, k];
@@ -83,9 +99,13 @@ impl Checker<'_> {
     /// The arc of one height between parallel planes. When they meet is no matter of the
     /// third plane, as long as it is not parallel too.
     fn level(&self, i: PlaneId, planes: &[PlaneId]) -> Common {
-        let Some(&j) = planes.iter().find(|&&j| !self.planes.coplanar(i, j)) else { return Common::Unknown };
+        let Some(&j) = planes.iter().find(|&&j| !self.planes.coplanar(i, j)) else {
+            return Common::Unknown;
+        };
         let lines = self.figure.edges().len() + self.terminals.len();
-        let third = (0..lines).map(|l| PlaneId(2 * l as u32)).find(|&k| !self.planes.turn(i, k).is_zero());
+        let third = (0..lines)
+            .map(|l| PlaneId(2 * l as u32))
+            .find(|&k| !self.planes.turn(i, k).is_zero());
         match third {
             Some(k) if self.planes.do_meet([i, j, k]) => {
                 let mut moment = [i, j, k];
@@ -113,17 +133,24 @@ impl Checker<'_> {
                 Bound::Pair(pair) => self.planes.drift(pair, plane).is_zero(),
                 Bound::Level(_) => false,
             };
-            (!never).then_some(Place::Foot { start, plane, bound })
+            (!never).then_some(Place::Foot {
+                start,
+                plane,
+                bound,
+            })
         })
     }
 
     /// Checks a node's coordinates, and that it is on all planes around it.
     fn check_node(&mut self, id: NodeId) {
         let node = *self.skeleton.node(id);
-        let Some(place) = self.places[id.index()] else { return };
+        let Some(place) = self.places[id.index()] else {
+            return;
+        };
         let expected = self.planes.round(&place);
         if expected.map(f64::to_bits) != [node.x, node.y, node.time].map(f64::to_bits) {
-            self.report.add(Violation::NotRounded { node: id, expected });
+            self.report
+                .add(Violation::NotRounded { node: id, expected });
         }
         let at_zero = expected[2] <= 0.0;
         if at_zero && node.kind == NodeKind::Event && self.unweighted {
@@ -133,7 +160,9 @@ impl Checker<'_> {
         faces.sort_unstable();
         faces.dedup();
         for face in faces {
-            if !self.is_on(&place, id, face) && !self.planes.ahead(&place, self.plane_of(face)).is_zero() {
+            if !self.is_on(&place, id, face)
+                && !self.planes.ahead(&place, self.plane_of(face)).is_zero()
+            {
                 self.report.add(Violation::OffPlane { node: id, face });
             }
         }
@@ -153,7 +182,10 @@ impl Checker<'_> {
                 }
             }
             Place::Event { moment, .. } => moment.contains(&plane),
-            Place::Foot { bound: Bound::Pair(pair), .. } => pair.contains(&plane),
+            Place::Foot {
+                bound: Bound::Pair(pair),
+                ..
+            } => pair.contains(&plane),
             // The third plane of the moment is not one of those around the node.
             Place::Foot { .. } => false,
         }

@@ -47,18 +47,19 @@ impl Checker<'_> {
     pub(super) fn check_rotation(&mut self) {
         let edges_at = self.edges_at();
         self.bridge_gaps(&edges_at);
-        let before = self.report.total();
         self.check_nodes(&edges_at);
         self.check_infinity();
-        if self.report.total() == before {
-            let parts = self.check_euler(&edges_at);
-            self.check_counts(parts, &edges_at);
-        }
+        let parts = self.check_euler();
+        self.check_counts(parts, &edges_at);
     }
 
     fn heading_of(&self, dart: u32) -> Heading {
         let heading = self.headings[dart as usize / 2];
-        if dart.is_multiple_of(2) { heading } else { heading.reversed() }
+        if dart.is_multiple_of(2) {
+            heading
+        } else {
+            heading.reversed()
+        }
     }
 
     /// Where a side of an edge is not in the region, the next edge comes next.
@@ -72,7 +73,8 @@ impl Checker<'_> {
             let mut darts = darts.clone();
             if darts.len() > 2 {
                 darts.sort_by(|&d, &e| {
-                    self.planes.compare_headings(&self.heading_of(d), &self.heading_of(e))
+                    self.planes
+                        .compare_headings(&self.heading_of(d), &self.heading_of(e))
                 });
             }
             let gaps: Vec<usize> = (0..darts.len()).filter(|&i| is_gap(&darts[i])).collect();
@@ -92,7 +94,10 @@ impl Checker<'_> {
             if next == dart::NONE || turn.darts > most {
                 return Turn::default();
             }
-            match self.planes.compare_headings(&self.heading_of(dart), &self.heading_of(next)) {
+            match self
+                .planes
+                .compare_headings(&self.heading_of(dart), &self.heading_of(next))
+            {
                 Ordering::Less => {}
                 Ordering::Equal => turn.equals += 1,
                 Ordering::Greater => turn.falls += 1,
@@ -107,7 +112,7 @@ impl Checker<'_> {
     fn check_nodes(&mut self, edges_at: &[Vec<u32>]) {
         for i in 0..self.skeleton.nodes.len() {
             let node = NodeId::new(i);
-            if matches!(self.skeleton.node(node).kind, NodeKind::Infinite { .. }) {
+            if self.skeleton.node(node).is_at_infinity() {
                 continue;
             }
             let edges = edges_at.get(i).map_or(&[][..], |list| &list[..]);
@@ -131,7 +136,9 @@ impl Checker<'_> {
         let arcs = &self.skeleton.arcs;
         let outgoing = |a: usize| self.places[arcs[a].nodes[1].index()].is_none();
         let unbounded: Vec<usize> = (0..arcs.len()).filter(|&a| outgoing(a)).collect();
-        let Some(&first) = unbounded.first() else { return };
+        let Some(&first) = unbounded.first() else {
+            return;
+        };
         let (mut count, mut falls, mut dart) = (0, 0, (2 * first + 1) as u32);
         loop {
             let next = self.incidence.after[dart as usize];
@@ -154,7 +161,7 @@ impl Checker<'_> {
 
     /// Euler's formula for each connected part, with every boundary as a disc: both for the
     /// faces and for what is not in the region. Returns the number of parts.
-    fn check_euler(&mut self, edges_at: &[Vec<u32>]) -> usize {
+    fn check_euler(&mut self) -> usize {
         let s = self.skeleton;
         let after = &self.incidence.after;
         let mut inverse = vec![dart::NONE; after.len()];
@@ -177,24 +184,37 @@ impl Checker<'_> {
             }
         }
         let infinity = s.nodes.len();
-        let number = |n: NodeId| if s.node(n).time.is_finite() { n.index() } else { infinity };
+        let number = |n: NodeId| {
+            if s.node(n).is_at_infinity() {
+                infinity
+            } else {
+                n.index()
+            }
+        };
         let mut sets = Sets::new(s.nodes.len() + 1);
         let mut used = vec![false; s.nodes.len() + 1];
         let mut lines = 0;
         let ends = s.arcs.iter().map(|arc| arc.nodes.map(number));
-        let bases = s.input.edges.iter().enumerate().filter(|(e, _)| {
-            self.incidence.covered[2 * e] || self.incidence.covered[2 * e + 1]
-        });
+        let bases =
+            s.input.edges.iter().enumerate().filter(|(e, _)| {
+                self.incidence.covered[2 * e] || self.incidence.covered[2 * e + 1]
+            });
         for [i, j] in ends.chain(bases.map(|(_, ends)| ends.map(VertexId::index))) {
             lines += 1;
             (used[i], used[j]) = (true, true);
             sets.merge(i, j);
         }
         let nodes = used.iter().filter(|&&is| is).count();
-        let parts = (0..=infinity).filter(|&i| used[i] && sets.root(i) == i).count();
-        debug_assert!(edges_at.len() <= infinity, "vertices are nodes");
+        let parts = (0..=infinity)
+            .filter(|&i| used[i] && sets.root(i) == i)
+            .count();
         if nodes + faces != lines + 2 * parts {
-            self.report.add(Violation::Euler { nodes, arcs: lines, faces, parts });
+            self.report.add(Violation::Euler {
+                nodes,
+                arcs: lines,
+                faces,
+                parts,
+            });
         }
         parts
     }
@@ -225,13 +245,19 @@ impl Checker<'_> {
                 for ends in &s.input.edges {
                     rings.merge(ends[0].index(), ends[1].index());
                 }
-                let rings = (0..s.input.vertices).filter(|&i| rings.root(i) == i).count();
+                let rings = (0..s.input.vertices)
+                    .filter(|&i| rings.root(i) == i)
+                    .count();
                 n + 2 * rings as i64 - 4 * parts as i64
             }
             _ => return,
         };
         if found != expected {
-            self.report.add(Violation::Count { what: "nodes, with multiplicity", found, expected });
+            self.report.add(Violation::Count {
+                what: "nodes, with multiplicity",
+                found,
+                expected,
+            });
         }
     }
 }

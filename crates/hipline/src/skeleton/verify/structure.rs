@@ -48,7 +48,11 @@ impl Checker<'_> {
         let same = input.vertices == figure.vertices().len()
             && input.terminals == figure.terminals()
             && input.edges.len() == figure.edges().len()
-            && input.edges.iter().zip(figure.edges()).all(|(a, b)| *a == [b.from, b.to]);
+            && input
+                .edges
+                .iter()
+                .zip(figure.edges())
+                .all(|(a, b)| *a == [b.from, b.to]);
         if !same || self.skeleton.nodes.len() < input.vertices {
             self.report.add(Violation::OtherFigure);
             return;
@@ -58,9 +62,15 @@ impl Checker<'_> {
         }
         for (i, node) in self.skeleton.nodes.iter().enumerate() {
             let should = (i < input.vertices).then(|| VertexId::new(i));
-            let is = if let NodeKind::Input(v) = node.kind { Some(v) } else { None };
+            let is = if let NodeKind::Input(v) = node.kind {
+                Some(v)
+            } else {
+                None
+            };
             if should != is {
-                self.report.add(Violation::WrongVertex { node: NodeId::new(i) });
+                self.report.add(Violation::WrongVertex {
+                    node: NodeId::new(i),
+                });
             }
         }
     }
@@ -90,9 +100,13 @@ impl Checker<'_> {
             cycle = end;
         }
         let ends_well = s.cycles.len() == cycle as usize + 1
-            && s.cycles.last().is_some_and(|&end| end as usize == s.corners.len());
+            && s.cycles
+                .last()
+                .is_some_and(|&end| end as usize == s.corners.len());
         if !ends_well {
-            self.report.add(Violation::BrokenLists { face: FaceId::new(s.faces.len()) });
+            self.report.add(Violation::BrokenLists {
+                face: FaceId::new(s.faces.len()),
+            });
         }
         for (i, arc) in s.arcs.iter().enumerate() {
             let known = arc.nodes.iter().all(|n| n.index() < s.nodes.len())
@@ -158,11 +172,15 @@ impl Checker<'_> {
             let wanted = expected.get(j).copied();
             if found == wanted {
                 (i, j) = (i + 1, j + 1);
-            } else if let (Some((edge, side)), true) = (wanted, found.is_none_or(|f| wanted < Some(f))) {
+            } else if let (Some((edge, side)), true) =
+                (wanted, found.is_none_or(|f| wanted < Some(f)))
+            {
                 self.report.add(Violation::MissingFace { edge, side });
                 j += 1;
             } else {
-                self.report.add(Violation::ExtraFace { face: FaceId::new(i) });
+                self.report.add(Violation::ExtraFace {
+                    face: FaceId::new(i),
+                });
                 i += 1;
             }
         }
@@ -204,7 +222,10 @@ impl Checker<'_> {
                 NodeKind::Infinite { .. } => degree == 1,
             };
             if !fits {
-                self.report.add(Violation::Degree { node: NodeId::new(i), degree });
+                self.report.add(Violation::Degree {
+                    node: NodeId::new(i),
+                    degree,
+                });
             }
         }
         (self.incidence.first_at, self.incidence.arcs_at) = (first, list);
@@ -254,7 +275,10 @@ impl Checker<'_> {
         for (d, &count) in uses.iter().enumerate() {
             if count != 1 {
                 let face = s.arcs[d / 2].faces[d % 2];
-                self.report.add(Violation::NotOnce { arc: ArcId::new(d / 2), face });
+                self.report.add(Violation::NotOnce {
+                    arc: ArcId::new(d / 2),
+                    face,
+                });
             }
         }
     }
@@ -272,7 +296,9 @@ impl Checker<'_> {
 
     /// Whether the boundary starts with the ends of the edge, or the terminal.
     fn check_base(&mut self, face: FaceId) {
-        let (Side::Start | Side::End) = self.skeleton.face(face).side else { return };
+        let (Side::Start | Side::End) = self.skeleton.face(face).side else {
+            return;
+        };
         let edge = self.skeleton.input.edges[self.skeleton.face(face).edge.index()];
         let tip = edge[usize::from(self.skeleton.face(face).side == Side::End)];
         if self.skeleton.boundary(face)[0].index() != tip.index() {
@@ -292,7 +318,7 @@ impl Checker<'_> {
         let s = self.skeleton;
         let range = s.cycles[cycle] as usize..s.cycles[cycle + 1] as usize;
         let corners = &s.corners[range.clone()];
-        let at_infinity = |n: NodeId| matches!(s.node(n).kind, NodeKind::Infinite { .. });
+        let at_infinity = |n: NodeId| s.node(n).is_at_infinity();
         for (i, &from) in corners.iter().enumerate() {
             let to = corners[(i + 1) % corners.len()];
             let step = &mut self.incidence.steps[range.start + i];

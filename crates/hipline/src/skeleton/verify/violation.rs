@@ -227,7 +227,9 @@ pub enum Violation {
     #[error("the unbounded faces do not follow one another once around")]
     UnorderedAtInfinity,
     /// Euler's formula does not hold.
-    #[error("{nodes} nodes - {arcs} arcs and edges + {faces} faces, in {parts} parts: not a plane graph")]
+    #[error(
+        "{nodes} nodes - {arcs} arcs and edges + {faces} faces, in {parts} parts: not a plane graph"
+    )]
     Euler {
         /// Nodes, infinity as one.
         nodes: usize,
@@ -280,15 +282,18 @@ impl Report {
         self.total += 1;
     }
 
-    pub(super) const fn total(&self) -> usize {
-        self.total
-    }
-
     pub(super) const fn is_empty(&self) -> bool {
         self.total == 0
     }
 
     pub(super) fn into_result(self) -> Result<(), Violations> {
-        if self.is_empty() { Ok(()) } else { Err(Violations { list: self.list, total: self.total }) }
+        if self.is_empty() {
+            Ok(())
+        } else {
+            Err(Violations {
+                list: self.list,
+                total: self.total,
+            })
+        }
     }
 }
