@@ -79,8 +79,21 @@ struct Checker<'a> {
 }
 
 impl Skeleton {
-    /// Checks that this is the straight skeleton of the figure, without the engine that made
-    /// it: see the laws at the head of this module's source. Exact, without tolerances.
+    /// Checks the laws that the straight skeleton of a figure obeys, without the engine that
+    /// made it. Exact, without tolerances:
+    ///
+    /// * there is one face for each side of an edge (and each terminal) in the region, and
+    ///   its boundary consists of arcs that know it on the proper side;
+    /// * every node lies on the planes of all faces around it; its coordinates and time,
+    ///   and the directions of unbounded arcs, are the correctly rounded ones, bit for bit;
+    /// * arcs go up, have a length, and are ridges, valleys or ghosts as their planes say;
+    /// * faces are simple, counterclockwise, monotone to their edges, and tile the region;
+    /// * the roof has no local minimum, and valleys start at vertices or where others end;
+    /// * Euler's formula and the counts of Lemma 2 of Aichholzer and Aurenhammer hold.
+    ///
+    /// With weights, the shapes of faces, the starts of valleys and the counts are checked
+    /// in part or not at all, because the laws do not hold then. The laws do not single out one
+    /// roof among all where several wavefronts could continue from one node.
     ///
     /// # Errors
     /// All violations found. Errors in the structure are reported alone, because nothing
