@@ -146,6 +146,11 @@ impl Kinetic<'_> {
     /// The sign of a triangle's area now.
     pub(super) fn area_now(&self, tips: [Tip; 3]) -> Sign {
         let corners = tips.map(|tip| corner(&self.front, tip));
+        if let Moment::Root(flat) = self.now
+            && flat.iter().all(|c| corners.contains(c))
+        {
+            return Sign::Zero;
+        }
         self.planes.sign_at(&self.now, &Area(corners, Part::Value))
     }
 

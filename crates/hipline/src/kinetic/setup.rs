@@ -8,7 +8,7 @@
 use super::{
     Batch, Kinetic,
     queue::Queue,
-    schedule::exact_order,
+    schedule::Agenda,
     triangulation::{Across, Tip, Triangle, Triangulation, next, prev},
     wavefront::{End, Trace, Walk, Wave, Wavefront},
 };
@@ -48,7 +48,7 @@ impl<'a> Kinetic<'a> {
             triangulation: Triangulation::default(),
             front: Wavefront::new(figure.vertices().len(), faces),
             queue: Queue::default(),
-            moments: Vec::new(),
+            agenda: Agenda::default(),
             now: Moment::Start,
             batch: Batch::default(),
             stats: Stats::default(),
@@ -225,19 +225,19 @@ impl<'a> Kinetic<'a> {
         self.batch.fresh.clear();
         let n = self.triangulation.len();
         self.queue.reset(n);
-        self.moments = vec![Moment::Start; n];
+        self.agenda = Agenda::new(n);
         self.batch.scheduled = vec![0; n];
         let mut queued: Vec<(TriangleId, Bounds)> = Vec::with_capacity(n);
         for t in (0..n).map(TriangleId::new) {
             if self.triangulation.is_alive(t)
                 && let Some((moment, bounds)) = self.next_collapse(t)
             {
-                self.moments[t.index()] = moment;
+                self.agenda.set(t, moment);
                 queued.push((t, bounds));
             }
         }
-        let Self { queue, planes, moments, .. } = self;
-        queue.fill(queued.into_iter(), &exact_order(planes, moments));
+        let Self { queue, planes, agenda, .. } = self;
+        queue.fill(queued.into_iter(), &|a, b| agenda.compare(planes, a, b));
     }
 
     /// The plane of terminal number `i`.
