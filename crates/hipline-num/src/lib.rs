@@ -28,6 +28,7 @@ mod sign;
 mod square;
 mod surd;
 mod surd_sign;
+mod wide;
 
 pub use ball::Ball;
 pub use ball_dd::BallDd;
@@ -40,6 +41,7 @@ pub use rungs::Rungs;
 pub use sign::Sign;
 pub use square::perfect_root;
 pub use surd::Surd;
+pub use wide::Wide;
 
 /// Re-exported so that callers name the same integers.
 pub use dashu_int::{IBig, UBig};

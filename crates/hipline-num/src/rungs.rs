@@ -9,6 +9,8 @@ pub struct Rungs {
     pub by_f64: u64,
     /// Answered by [`BallDd`](crate::BallDd).
     pub by_double_double: u64,
+    /// Answered by [`Wide`](crate::Wide).
+    pub by_wide: u64,
     /// Answered by [`Surd`](crate::Surd).
     pub by_exact: u64,
 }
@@ -19,13 +21,14 @@ impl Rungs {
     pub fn add(&mut self, o: &Self) {
         self.by_f64 += o.by_f64;
         self.by_double_double += o.by_double_double;
+        self.by_wide += o.by_wide;
         self.by_exact += o.by_exact;
     }
 
     /// How many questions were asked in all.
     #[must_use]
     pub const fn total(&self) -> u64 {
-        self.by_f64 + self.by_double_double + self.by_exact
+        self.by_f64 + self.by_double_double + self.by_wide + self.by_exact
     }
 }
 

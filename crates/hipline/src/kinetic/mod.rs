@@ -91,6 +91,7 @@ impl Figure {
         let rungs = kinetic.planes.rungs.get();
         kinetic.stats.by_f64 = rungs.by_f64;
         kinetic.stats.by_double_double = rungs.by_double_double;
+        kinetic.stats.by_wide = rungs.by_wide;
         kinetic.stats.by_exact = rungs.by_exact;
         assemble(self, &kinetic.planes, &kinetic.terminals, kinetic.front, region, kinetic.stats)
     }

@@ -3,6 +3,7 @@
 use std::{
     cell::{Cell, RefCell},
     cmp::Ordering,
+    collections::BTreeMap,
 };
 
 use super::{
@@ -12,7 +13,7 @@ use super::{
 };
 use crate::predicates::{Bounds, Corner, Moment, PlaneId, Planes};
 use crate::topology::{TriangleId, WaveId};
-use hipline_num::{BallDd, Number, Sign};
+use hipline_num::{BallDd, Number, Sign, Wide};
 
 /// The planes whose meeting makes a wavefront edge vanish.
 fn collapse_planes(triangulation: &Triangulation, front: &Wavefront, wave: WaveId) -> [PlaneId; 3] {
@@ -46,6 +47,8 @@ pub(super) struct Agenda {
     /// Moments with one root of this forest are known to be equal.
     class: Vec<Cell<u32>>,
     parents: RefCell<Vec<u32>>,
+    /// The moments in 400 digits, found when first asked for.
+    wide: RefCell<BTreeMap<TriangleId, Option<Wide>>>,
 }
 
 impl Agenda {
@@ -55,6 +58,7 @@ impl Agenda {
             fine: vec![Cell::new(None); triangles],
             class: vec![Cell::new(NO_CLASS); triangles],
             parents: RefCell::default(),
+            wide: RefCell::default(),
         }
     }
 
@@ -67,6 +71,10 @@ impl Agenda {
         self.moments[i] = moment;
         self.fine[i].set(None);
         self.class[i].set(NO_CLASS);
+        let wide = self.wide.get_mut();
+        if !wide.is_empty() {
+            wide.remove(&t);
+        }
     }
 
     fn fine(&self, planes: &Planes, t: TriangleId) -> BallDd {
@@ -109,6 +117,16 @@ impl Agenda {
         }
     }
 
+    /// The order of two moments in 400 digits, if it can be told apart from equality.
+    fn compare_wide(&self, planes: &Planes, a: TriangleId, b: TriangleId) -> Option<Ordering> {
+        let mut wide = self.wide.borrow_mut();
+        for t in [a, b] {
+            wide.entry(t).or_insert_with(|| planes.wide(&self.moments[t.index()]));
+        }
+        let difference = wide[&a].as_ref()?.minus(wide[&b].as_ref()?);
+        difference.sign().map(Sign::ordering)
+    }
+
     /// The exact order of two queued triangles whose bounds do not decide it.
     pub(super) fn compare(&self, planes: &Planes, a: TriangleId, b: TriangleId) -> Ordering {
         let difference = self.fine(planes, a).minus(&self.fine(planes, b));
@@ -118,6 +136,9 @@ impl Agenda {
         let root = self.root(a);
         if root != NO_CLASS && root == self.root(b) {
             return Ordering::Equal;
+        }
+        if let Some(order) = self.compare_wide(planes, a, b) {
+            return order;
         }
         let order = planes.compare(&self.moments[a.index()], &self.moments[b.index()]);
         if order.is_eq() {

@@ -4,7 +4,7 @@
 //! vertices happen at the root of a quadratic. Every question about a moment is the sign
 //! of a polynomial in time, of degree two at most, at that moment.
 
-use hipline_num::{Ball, BallDd, Number, Sign, Surd};
+use hipline_num::{Ball, BallDd, Number, Sign, Surd, Wide};
 use std::cmp::Ordering;
 
 use super::{
@@ -189,6 +189,26 @@ pub(super) mod dd_root {
     falling_root!(BallDd);
 }
 
+/// The same in 400 digits.
+pub(super) mod wide_root {
+    use super::*;
+
+    /// An enclosure of `(-g1 - sqrt(g1^2 - 4 g2 g0)) / 2 g2`, the root where g falls.
+    pub(in super::super) fn falling_root(g: &Quadratic<Wide>) -> Option<Wide> {
+        let disc = discriminant(g);
+        if disc.sign() == Some(Sign::Negative) {
+            return None;
+        }
+        let root = disc.sqrt();
+        let value = if g[1].sign() == Some(Sign::Positive) {
+            g[1].negated().minus(&root).div(&double(&g[2]))
+        } else {
+            double(&g[0]).div(&root.minus(&g[1]))
+        };
+        value.is_bounded().then_some(value)
+    }
+}
+
 /// Bounds wider than this part of their value are worth a second attempt. Only a matter of
 /// speed: bounds hold whatever their width.
 const WIDE: f64 = 1.0 / (1u64 << 30) as f64;
@@ -273,6 +293,18 @@ impl Planes {
             }
             Moment::Root(corners) => dd_root::falling_root(&area(self, *corners))
                 .unwrap_or_else(|| BallDd::new(0.0, 0.0, f64::INFINITY)),
+        }
+    }
+
+    /// A moment that exists, in 400 digits.
+    pub(crate) fn wide(&self, moment: &Moment) -> Option<Wide> {
+        match moment {
+            Moment::Start => Some(Wide::zero()),
+            Moment::Planes(triple) => {
+                let (n, d) = meeting::<Wide>(self, *triple);
+                Some(n.negated().div(&d))
+            }
+            Moment::Root(corners) => wide_root::falling_root(&area(self, *corners)),
         }
     }
 

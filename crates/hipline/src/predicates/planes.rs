@@ -2,18 +2,18 @@
 //!
 //! A wavefront edge that starts at `p -> q` and sweeps to its left lies at time t on
 //! `a x + b y = c + s t`, with `(a, b)` the left normal, `c = a px + b py`, and
-//! `s = w sqrt(a^2 + b^2)`. After moving a vertex into the origin and scaling by a power of
+//! `s = w sqrt(a^2 + b^2)`. After moving a point of the grid into the origin and scaling by a power of
 //! two, `a`, `b`, `c` and `w` are integers; dividing `a`, `b`, `c` by `gcd(a, b)` keeps
 //! them small on grids. The root is the only irrational number in the plane.
 
 use dashu_int::{IBig, UBig, ops::Gcd, ops::UnsignedAbs};
-use hipline_num::{Ball, BallDd, Number, Rungs, Sign, Surd, f64_to_parts};
+use hipline_num::{Ball, BallDd, Number, Rungs, Sign, Surd, Wide, f64_to_parts};
 use std::cell::Cell;
 
 use super::{
     Terminal,
     expression::Quadratic,
-    moment::{ball_root, dd_root},
+    moment::{ball_root, dd_root, wide_root},
 };
 use crate::input::Figure;
 
@@ -74,7 +74,7 @@ pub(crate) struct Planes {
     pub shift: i32,
     /// Coordinates are `integer * 2^unit + origin`.
     pub unit: i32,
-    /// The vertex that became the origin.
+    /// The point that became the origin.
     pub origin: [f64; 2],
     /// Times are `value * 2^time_unit`.
     pub time_unit: i32,
@@ -150,12 +150,35 @@ impl Rung for BallDd {
     }
 }
 
+/// `p` and `q` with the given time = `p / q`, in the unit that meetings are in.
+fn exact_time(planes: &Planes, time: f64) -> [IBig; 2] {
+    let (mantissa, exponent) = f64_to_parts(time);
+    let shift = exponent - planes.time_unit;
+    let power = |digits: i32| IBig::ONE << digits.max(0) as usize;
+    [mantissa * power(shift), power(-shift)]
+}
+
+impl Rung for Wide {
+    fn falling_root(g: &Quadratic<Self>) -> Option<Self> {
+        wide_root::falling_root(g)
+    }
+    fn line(planes: &Planes, line: usize) -> [Self; 4] {
+        let [a, b, c] = planes.lines[line].integers();
+        let square = (&a * &a + &b * &b).unsigned_abs();
+        [Self::from_int(&a), Self::from_int(&b), Self::from_int(&c), Self::sqrt_of(&square)]
+    }
+    fn integer(value: &IBig, _shift: i32) -> Self {
+        Self::from_int(value)
+    }
+    fn time(planes: &Planes, time: f64) -> [Self; 2] {
+        let [p, q] = exact_time(planes, time);
+        [Self::from_int(&p), Self::from_int(&q)]
+    }
+}
+
 impl Rung for Surd {
     fn time(planes: &Planes, time: f64) -> [Self; 2] {
-        let (mantissa, exponent) = f64_to_parts(time);
-        let shift = exponent - planes.time_unit;
-        let power = |digits: i32| IBig::ONE << digits.max(0) as usize;
-        [Self::from_int(mantissa * power(shift)), Self::from_int(power(-shift))]
+        exact_time(planes, time).map(Self::from_int)
     }
     fn falling_root(_: &Quadratic<Self>) -> Option<Self> {
         None
@@ -274,7 +297,14 @@ impl Planes {
     pub(crate) fn new(figure: &Figure, terminals: &[Terminal]) -> Self {
         let vertices = figure.vertices();
         let (unit, bits) = common_unit(vertices.iter().flatten().copied());
-        let origin = vertices.first().copied().unwrap_or_default();
+        // Where zero is among the coordinates, they may be fine around it, and so may the
+        // skeleton's; elsewhere what is closest to zero serves.
+        let origin = [0, 1].map(|axis| {
+            let values = || vertices.iter().map(|v| v[axis]);
+            let low = values().min_by(f64::total_cmp).unwrap_or_default();
+            let high = values().max_by(f64::total_cmp).unwrap_or_default();
+            if low > 0.0 { low } else if high < 0.0 { high } else { 0.0 }
+        });
         let shift = if bits > 53 { bits - 30 } else { 0 };
         let mut planes = Self {
             lines: Vec::with_capacity(figure.edges().len() + terminals.len()),
@@ -432,6 +462,9 @@ impl Planes {
         let mut rungs = self.rungs.get();
         let sign = if let Some(sign) = question.ask::<BallDd>(self) {
             rungs.by_double_double += 1;
+            sign
+        } else if let Some(sign) = question.ask::<Wide>(self) {
+            rungs.by_wide += 1;
             sign
         } else {
             rungs.by_exact += 1;

@@ -13,6 +13,8 @@ pub struct Stats {
     pub by_f64: u64,
     /// Decisions answered by double-double with a proven error bound.
     pub by_double_double: u64,
+    /// Decisions answered by numbers of 400 digits with a proven error bound.
+    pub by_wide: u64,
     /// Decisions answered by exact integers.
     pub by_exact: u64,
 }
