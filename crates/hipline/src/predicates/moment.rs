@@ -250,6 +250,26 @@ fn exact_quotient(n: &Ball, d: &Ball) -> Option<f64> {
     (n % odd == 0).then(|| -(n as f64) / d as f64)
 }
 
+/// Bounds of a falling root that is not negative, where its denominator may be zero: such a
+/// root is far away, and that is worth knowing.
+fn root_bounds(g: &Quadratic<BallDd>) -> Bounds {
+    let disc = discriminant(g);
+    let root = if disc.upper() > 0.0 { disc.sqrt() } else { BallDd::zero() };
+    let (n, d) = if g[1].value() <= 0.0 {
+        (double(&g[0]), root.minus(&g[1]))
+    } else {
+        (g[1].plus(&root), double(&g[2]).negated())
+    };
+    // One rounding each, covered by one part in 2^50.
+    let slack = f64::EPSILON * 4.0;
+    let low = n.lower().max(0.0) / d.upper() * (1.0 - slack);
+    let high = if d.lower() > 0.0 { n.upper() / d.lower() * (1.0 + slack) } else { f64::INFINITY };
+    Bounds {
+        low: if low.is_finite() { low } else { 0.0 },
+        high: if high.is_nan() { f64::INFINITY } else { high },
+    }
+}
+
 /// The falling root of a polynomial if it is a binary fraction that f64 holds exactly.
 #[expect(clippy::cast_possible_truncation, clippy::cast_precision_loss, reason = "integers below 2^53")]
 fn exact_root(g: &Quadratic<Ball>) -> Option<f64> {
@@ -310,7 +330,6 @@ impl Planes {
 
     /// Bounds of a moment that exists.
     pub(crate) fn bounds(&self, moment: &Moment) -> Bounds {
-        let everything = Bounds { low: 0.0, high: f64::INFINITY };
         match moment {
             Moment::Start => Bounds::START,
             Moment::Planes(triple) => {
@@ -328,9 +347,10 @@ impl Planes {
                 {
                     return Bounds { low: t.lower(), high: t.upper() };
                 }
-                match dd_root::falling_root(&area(self, *corners)) {
+                let g = area::<BallDd>(self, *corners);
+                match dd_root::falling_root(&g) {
                     Some(t) => Bounds { low: t.lower(), high: t.upper() },
-                    None => everything,
+                    None => root_bounds(&g),
                 }
             }
         }
