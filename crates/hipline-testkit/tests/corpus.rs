@@ -57,6 +57,9 @@ fn every_case_is_right() {
             }
         }
         let skeleton = figure.skeleton(Options::default().region(Region::Both));
+        if let Err(violations) = skeleton.verify(&figure) {
+            wrong.push(format!("{name}: {violations}"));
+        }
         let (n, m) = (figure.vertices().len(), figure.edges().len());
         let t = figure.terminals();
         if skeleton.faces().len() != 2 * m + t {

@@ -66,7 +66,7 @@ const PINNED: [(Family, u64); 8] = [
     (Family::Skyline, 0),
     (Family::Monotone, 0),
     (Family::Comb, 0),
-    (Family::Spiral, 0),
+    (Family::Segments, 0),
     (Family::SquareHoles, 0),
     (Family::Windows, 0),
 ];
