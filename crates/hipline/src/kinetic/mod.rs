@@ -33,7 +33,6 @@ use crate::{
     topology::{TraceId, TriangleId},
 };
 use queue::Queue;
-pub(crate) use setup::terminals;
 use triangulation::Triangulation;
 pub(crate) use wavefront::{End, Trace, Walk, Wavefront};
 

@@ -20,30 +20,6 @@ use crate::{
 };
 use hipline_num::Sign;
 
-/// The vertices of degree one, in order.
-pub(crate) fn terminals(figure: &Figure) -> Vec<Terminal> {
-    if figure.terminals() == 0 {
-        return Vec::new();
-    }
-    let mut degree = vec![0_u8; figure.vertices().len()];
-    for edge in figure.edges() {
-        for v in [edge.from, edge.to] {
-            degree[v.index()] = (degree[v.index()] + 1).min(2);
-        }
-    }
-    let mut list = Vec::with_capacity(figure.terminals());
-    for (e, edge) in figure.edges().iter().enumerate() {
-        for (tip, inner) in [(edge.from, edge.to), (edge.to, edge.from)] {
-            if degree[tip.index()] == 1 {
-                let speed = edge.speeds[0].max(edge.speeds[1]);
-                list.push(Terminal { tip: tip.index(), inner: inner.index(), edge: e, speed });
-            }
-        }
-    }
-    list.sort_unstable_by_key(|terminal| terminal.tip);
-    list
-}
-
 /// In which of the four directions the outside of a hull edge is framed: one that is
 /// strictly ahead of it, and turns with the hull.
 fn frame(from: [f64; 2], to: [f64; 2]) -> usize {
@@ -62,7 +38,7 @@ fn frame(from: [f64; 2], to: [f64; 2]) -> usize {
 impl<'a> Kinetic<'a> {
     /// The state at time zero, terminals and straight vertices not yet treated.
     pub(super) fn new(figure: &'a Figure, region: Region) -> Self {
-        let terminals = terminals(figure);
+        let terminals = Terminal::all(figure);
         let planes = Planes::new(figure, &terminals);
         let faces = 2 * figure.edges().len() + terminals.len();
         let mut kinetic = Self {

@@ -11,6 +11,7 @@ use hipline_num::{Ball, BallDd, Number, Rungs, Sign, Surd, f64_to_parts};
 use std::cell::Cell;
 
 use super::{
+    Terminal,
     expression::Quadratic,
     moment::{ball_root, dd_root},
 };
@@ -433,17 +434,4 @@ pub(crate) trait Question {
     fn ask_exactly(&self, planes: &Planes) -> Sign {
         self.ask::<Surd>(planes).expect("exact numbers know their sign")
     }
-}
-
-/// A vertex of degree one.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct Terminal {
-    /// The vertex.
-    pub tip: usize,
-    /// The other end of its edge.
-    pub inner: usize,
-    /// The edge.
-    pub edge: usize,
-    /// The speed of its wavefront edge: the larger of the two of its edge.
-    pub speed: f64,
 }
