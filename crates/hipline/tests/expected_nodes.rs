@@ -1,6 +1,7 @@
 //! Agreement with the nodes that another exact program found on inputs from the field.
 //!
-//! The folder `shared/data` lies beside the repository where it is there at all.
+//! The folder `shared/data` lies beside the repository where it is there at all; `HIPLINE_DATA`
+//! names another place.
 //!
 //! Nodes agree if they differ by a ten-millionth of the figure's size at most. The other
 //! program's numbers are rounded on the way, so where planes are nearly parallel it may be off
@@ -26,7 +27,8 @@ use hipline::{
 use serde_json::Value;
 
 fn folder() -> Option<PathBuf> {
-    let path = PathBuf::from(concat!(env!("CARGO_MANIFEST_DIR"), "/../../../shared/data"));
+    let beside = || PathBuf::from(concat!(env!("CARGO_MANIFEST_DIR"), "/../../../shared/data"));
+    let path = std::env::var_os("HIPLINE_DATA").map_or_else(beside, PathBuf::from);
     path.is_dir().then_some(path)
 }
 
