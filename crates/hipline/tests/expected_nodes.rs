@@ -161,17 +161,19 @@ fn shaken(feature: &Value, trial: u64) -> Value {
     feature
 }
 
-/// How far our own node moves when the input moves by one unit in the last place.
-fn sways(node: &Place, shaken: &[Vec<Place>]) -> f64 {
-    let moves = shaken.iter().map(|nodes| nearest(node, nodes).0);
+/// How far our own nodes around a place move when the input moves by one unit in the last place:
+/// by how much the distance to the nearest one changes.
+fn sways(place: &Place, mine: &[Place], shaken: &[Vec<Place>]) -> f64 {
+    let before = nearest(place, mine).0;
+    let moves = shaken.iter().map(|nodes| (nearest(place, nodes).0 - before).abs());
     moves.filter(|by| by.is_finite()).fold(0.0, f64::max)
 }
 
-/// On how many planes of the figure a place lies, up to far more than what rounding it costs
-/// (1e-16) and far less than what counts as a difference (1e-7).
+/// On how many planes of the figure a place lies, up to ten times what it costs to round the place
+/// (three halves of 2^-53) and to compute the distance (less than six times 2^-53).
 fn planes_through(figure: &Figure, place: &Place) -> usize {
     let [x, y, time] = *place;
-    let slack = 1e-10 * (size(figure) + x.abs() + y.abs() + time);
+    let slack = 1e-14 * (size(figure) + x.abs() + y.abs() + time);
     let mut degree = vec![0; figure.vertices().len()];
     for edge in figure.edges() {
         degree[edge.from.index()] += 1;
@@ -205,7 +207,9 @@ enum Outcome {
     Differs(String),
 }
 
-const TRIALS: u64 = 12;
+/// Where edges nearly touch, not everything that is shaken is a figure.
+const TRIALS: u64 = 400;
+const ENOUGH: usize = 12;
 
 fn judge(feature: &Value, figure: &Figure, theirs: &[Place]) -> Outcome {
     let Ok(skeleton) = std::panic::catch_unwind(|| whole_plane(figure)) else {
@@ -220,10 +224,12 @@ fn judge(feature: &Value, figure: &Figure, theirs: &[Place]) -> Outcome {
     }
     let mine = events(&skeleton);
     let trials = (1..=TRIALS).filter_map(|trial| self::figure(&shaken(feature, trial)));
+    let trials = trials.take(ENOUGH);
     let shaken: Vec<Vec<Place>> = trials.map(|figure| events(&whole_plane(&figure))).collect();
     for p in &missing {
         let (by, ours) = nearest(p, &mine);
-        let sway = ours.map_or(0.0, |ours| sways(ours, &shaken));
+        let around = |place: &Place| sways(place, &mine, &shaken);
+        let sway = around(p).max(ours.map_or(0.0, around));
         let on = planes_through(figure, p);
         if sway < by / 10.0 && on >= 3 {
             return Outcome::Differs(format!(
@@ -236,7 +242,7 @@ fn judge(feature: &Value, figure: &Figure, theirs: &[Place]) -> Outcome {
     let mut unexplained = 0;
     for p in &extra {
         let by = nearest(p, theirs).0;
-        let sway = sways(p, &shaken);
+        let sway = sways(p, &mine, &shaken);
         if sway < by / 10.0 {
             unexplained += 1;
             if unexplained > impossible {
