@@ -19,7 +19,9 @@ fn hash(skeleton: &Skeleton) -> u64 {
         }
     };
     for node in skeleton.nodes() {
-        [node.x, node.y, node.time].iter().for_each(|x| add(x.to_bits()));
+        [node.x, node.y, node.time]
+            .iter()
+            .for_each(|x| add(x.to_bits()));
         match node.kind {
             NodeKind::Input(vertex) => add(vertex.index() as u64),
             NodeKind::Event => add(u64::MAX),
@@ -80,7 +82,10 @@ fn results_are_those_of_every_other_platform() {
         .iter()
         .map(|(family, _)| {
             let name = format!("{family:?}");
-            format!("(Family::{name}, {:#018x})", hash(&run(&family.generate(400, 7))))
+            format!(
+                "(Family::{name}, {:#018x})",
+                hash(&run(&family.generate(400, 7)))
+            )
         })
         .collect();
     let due: Vec<String> = PINNED

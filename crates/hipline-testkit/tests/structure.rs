@@ -31,7 +31,9 @@ fn sources(folder: &Path) -> Vec<(PathBuf, String)> {
 
 /// Lines without comments, numbered.
 fn code(text: &str) -> impl Iterator<Item = (usize, &str)> {
-    let lines = text.lines().map(|line| line.split("//").next().unwrap_or(""));
+    let lines = text
+        .lines()
+        .map(|line| line.split("//").next().unwrap_or(""));
     lines.enumerate().map(|(i, line)| (i + 1, line))
 }
 
@@ -50,19 +52,32 @@ fn with(folder: &str, words: &[&str]) -> Vec<String> {
 
 fn absent(folder: &str, words: &[&str]) {
     let found = with(folder, words);
-    assert!(found.is_empty(), "{words:?} in {folder}:\n{}", found.join("\n"));
+    assert!(
+        found.is_empty(),
+        "{words:?} in {folder}:\n{}",
+        found.join("\n")
+    );
 }
 
 #[test]
 fn dependencies_point_one_way() {
     absent("hipline-num/src", &["hipline::", "spade", "robust"]);
     absent("hipline/src/topology", &["f64", "crate::"]);
-    absent("hipline/src/predicates", &["kinetic", "skeleton", "offset::", "roof::"]);
+    absent(
+        "hipline/src/predicates",
+        &["kinetic", "skeleton", "offset::", "roof::"],
+    );
     absent("hipline/src/kinetic", &["offset::", "roof::"]);
     absent("hipline/src/skeleton", &["offset::", "roof::"]);
     absent("hipline/src/offset", &["kinetic::", "roof::"]);
-    absent("hipline/src/roof", &["kinetic::", "offset::", "predicates::"]);
-    absent("hipline/src", &["std::fs", "std::io", "println!", "hipline_io"]);
+    absent(
+        "hipline/src/roof",
+        &["kinetic::", "offset::", "predicates::"],
+    );
+    absent(
+        "hipline/src",
+        &["std::fs", "std::io", "println!", "hipline_io"],
+    );
     absent("hipline-io/src", &["hipline_cli", "hipline_testkit"]);
 }
 
@@ -70,14 +85,22 @@ fn dependencies_point_one_way() {
 /// tolerance.
 #[test]
 fn decisions_know_no_tolerance() {
-    absent("hipline/src/kinetic", &["f64::EPSILON", "sqrt", ".abs()", "1e-"]);
+    absent(
+        "hipline/src/kinetic",
+        &["f64::EPSILON", "sqrt", ".abs()", "1e-"],
+    );
     for folder in ["hipline/src", "hipline-io/src"] {
-        absent(folder, &["1e-6", "1e-7", "1e-8", "1e-9", "1e-10", "1e-12", "1e-15"]);
+        absent(
+            folder,
+            &["1e-6", "1e-7", "1e-8", "1e-9", "1e-10", "1e-12", "1e-15"],
+        );
     }
     // Two uses are proofs, not tolerances: the bound of a filter, and the error of one rounding.
     let allowed = ["delaunay.rs", "planes.rs"];
     let found = with("hipline/src", &["EPSILON"]);
-    let stray = found.iter().filter(|line| !allowed.iter().any(|file| line.contains(file)));
+    let stray = found
+        .iter()
+        .filter(|line| !allowed.iter().any(|file| line.contains(file)));
     assert_eq!(stray.collect::<Vec<_>>(), Vec::<&String>::new(), "EPSILON");
 }
 
@@ -87,8 +110,15 @@ fn decisions_know_no_tolerance() {
 fn roots_of_floats_are_walled_off() {
     absent("hipline/src", &["f64::sqrt", "as f64).sqrt", "powf("]);
     let roots = with("hipline/src", &[".sqrt()", ".hypot("]);
-    let allowed = ["predicates/planes.rs", "predicates/moment.rs", "offset/mod.rs", "roof/triangulate.rs"];
-    let stray = roots.iter().filter(|line| !allowed.iter().any(|file| line.contains(file)));
+    let allowed = [
+        "predicates/planes.rs",
+        "predicates/moment.rs",
+        "offset/mod.rs",
+        "roof/triangulate.rs",
+    ];
+    let stray = roots
+        .iter()
+        .filter(|line| !allowed.iter().any(|file| line.contains(file)));
     assert_eq!(stray.collect::<Vec<_>>(), Vec::<&String>::new(), "roots");
 }
 
@@ -96,8 +126,18 @@ fn roots_of_floats_are_walled_off() {
 #[test]
 fn nothing_depends_on_hash_order_or_clocks() {
     absent("hipline/src", &["HashSet", "Instant", "SystemTime"]);
-    absent("hipline-num/src", &["HashMap", "HashSet", "Instant", "SystemTime"]);
-    for folder in ["kinetic", "predicates", "topology", "skeleton", "offset", "roof"] {
+    absent(
+        "hipline-num/src",
+        &["HashMap", "HashSet", "Instant", "SystemTime"],
+    );
+    for folder in [
+        "kinetic",
+        "predicates",
+        "topology",
+        "skeleton",
+        "offset",
+        "roof",
+    ] {
         absent(&format!("hipline/src/{folder}"), &["HashMap"]);
     }
 }
@@ -124,8 +164,18 @@ fn named(text: &str) -> Vec<&str> {
         .skip(1)
         .filter_map(|rest| rest.split(')').next());
     let tops = [
-        "crates/", "docs/", "corpus/", "bench/", "fuzz/", ".ci/", ".github/", "README", "ARCHI",
-        "CHANGELOG", "CONTRIB", "LICENSE",
+        "crates/",
+        "docs/",
+        "corpus/",
+        "bench/",
+        "fuzz/",
+        ".ci/",
+        ".github/",
+        "README",
+        "ARCHI",
+        "CHANGELOG",
+        "CONTRIB",
+        "LICENSE",
     ];
     quoted
         .chain(linked)
@@ -138,7 +188,12 @@ fn named(text: &str) -> Vec<&str> {
 #[test]
 fn documents_name_files_that_exist() {
     let root = repository();
-    let documents = ["README.md", "ARCHITECTURE.md", "CONTRIBUTING.md", "CHANGELOG.md"];
+    let documents = [
+        "README.md",
+        "ARCHITECTURE.md",
+        "CONTRIBUTING.md",
+        "CHANGELOG.md",
+    ];
     let mut missing = Vec::new();
     let mut check = |document: &str| {
         let text = fs::read_to_string(root.join(document)).expect(document);
@@ -152,7 +207,11 @@ fn documents_name_files_that_exist() {
     for entry in fs::read_dir(root.join("docs")).expect("docs") {
         let path = entry.expect("an entry").path();
         if path.extension().is_some_and(|ending| ending == "md") {
-            let name = path.file_name().expect("a name").to_string_lossy().into_owned();
+            let name = path
+                .file_name()
+                .expect("a name")
+                .to_string_lossy()
+                .into_owned();
             check(&format!("docs/{name}"));
         }
     }

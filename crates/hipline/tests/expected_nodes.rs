@@ -37,11 +37,21 @@ fn point(value: &Value) -> [f64; 2] {
 }
 
 fn points(value: &Value) -> Vec<[f64; 2]> {
-    value.as_array().expect("points").iter().map(point).collect()
+    value
+        .as_array()
+        .expect("points")
+        .iter()
+        .map(point)
+        .collect()
 }
 
 fn rings(value: &Value) -> Vec<Vec<[f64; 2]>> {
-    value.as_array().expect("rings").iter().map(points).collect()
+    value
+        .as_array()
+        .expect("rings")
+        .iter()
+        .map(points)
+        .collect()
 }
 
 /// The figure of a feature.
@@ -57,7 +67,11 @@ fn figure(feature: &Value) -> Option<Figure> {
                     let speeds = lists
                         .iter()
                         .map(|list| {
-                            list.as_array().expect("weights").iter().map(|w| w.as_f64().expect("a weight")).collect()
+                            list.as_array()
+                                .expect("weights")
+                                .iter()
+                                .map(|w| w.as_f64().expect("a weight"))
+                                .collect()
                         })
                         .collect();
                     builder.weighted_polygon(rings, speeds);
@@ -107,11 +121,15 @@ fn distance(a: &Place, b: &Place) -> f64 {
 /// The distance to the nearest of some places.
 fn nearest<'a>(p: &Place, places: &'a [Place]) -> (f64, Option<&'a Place>) {
     let with = places.iter().map(|q| (distance(p, q), Some(q)));
-    with.min_by(|a, b| a.0.total_cmp(&b.0)).unwrap_or((f64::INFINITY, None))
+    with.min_by(|a, b| a.0.total_cmp(&b.0))
+        .unwrap_or((f64::INFINITY, None))
 }
 
 fn size(figure: &Figure) -> f64 {
-    figure.vertices().iter().fold(0.0, |s, v| v[0].abs().max(v[1].abs()).max(s))
+    figure
+        .vertices()
+        .iter()
+        .fold(0.0, |s, v| v[0].abs().max(v[1].abs()).max(s))
 }
 
 /// Expected nodes that are missing, and nodes that are not expected.
@@ -124,7 +142,10 @@ fn differences(figure: &Figure, skeleton: &Skeleton, theirs: &[Place]) -> [Vec<P
         these.iter().filter(alone).copied().collect()
     };
     // Ghost arcs end in nodes of their own here, which the other program does not have.
-    let ghosts = skeleton.arcs().iter().filter(|arc| arc.kind == ArcKind::Ghost);
+    let ghosts = skeleton
+        .arcs()
+        .iter()
+        .filter(|arc| arc.kind == ArcKind::Ghost);
     let ends: BTreeSet<_> = ghosts
         .map(|arc| skeleton.node(arc.nodes[1]))
         .map(|n| [n.x, n.y, n.time].map(f64::to_bits))
@@ -139,7 +160,9 @@ fn differences(figure: &Figure, skeleton: &Skeleton, theirs: &[Place]) -> [Vec<P
 fn shaken(feature: &Value, trial: u64) -> Value {
     fn shake(value: &mut Value, trial: u64) {
         let point = [&value[0], &value[1]].map(Value::as_f64);
-        let Some(list) = value.as_array_mut() else { return };
+        let Some(list) = value.as_array_mut() else {
+            return;
+        };
         let [Some(x), Some(y)] = point else {
             list.iter_mut().for_each(|value| shake(value, trial));
             return;
@@ -165,7 +188,9 @@ fn shaken(feature: &Value, trial: u64) -> Value {
 /// by how much the distance to the nearest one changes.
 fn sways(place: &Place, mine: &[Place], shaken: &[Vec<Place>]) -> f64 {
     let before = nearest(place, mine).0;
-    let moves = shaken.iter().map(|nodes| (nearest(place, nodes).0 - before).abs());
+    let moves = shaken
+        .iter()
+        .map(|nodes| (nearest(place, nodes).0 - before).abs());
     moves.filter(|by| by.is_finite()).fold(0.0, f64::max)
 }
 
@@ -238,7 +263,10 @@ fn judge(feature: &Value, figure: &Figure, theirs: &[Place]) -> Outcome {
         }
     }
     // What was certified above to be no node may stand for one of ours.
-    let impossible = missing.iter().filter(|p| planes_through(figure, p) < 3).count();
+    let impossible = missing
+        .iter()
+        .filter(|p| planes_through(figure, p) < 3)
+        .count();
     let mut unexplained = 0;
     for p in &extra {
         let by = nearest(p, theirs).0;
@@ -246,7 +274,9 @@ fn judge(feature: &Value, figure: &Figure, theirs: &[Place]) -> Outcome {
         if sway < by / 10.0 {
             unexplained += 1;
             if unexplained > impossible {
-                return Outcome::Differs(format!("{p:?} is {by:e} from any other, sways by {sway:e}"));
+                return Outcome::Differs(format!(
+                    "{p:?} is {by:e} from any other, sways by {sway:e}"
+                ));
             }
         }
     }
@@ -263,7 +293,9 @@ struct Case {
 fn cases(folder: &std::path::Path) -> Vec<Case> {
     let only = std::env::var("HIPLINE_ONLY").unwrap_or_default();
     let entries = std::fs::read_dir(folder.join("expected")).expect("a folder");
-    let mut files: Vec<PathBuf> = entries.map(|entry| entry.expect("an entry").path()).collect();
+    let mut files: Vec<PathBuf> = entries
+        .map(|entry| entry.expect("an entry").path())
+        .collect();
     files.sort();
     let mut cases = Vec::new();
     for path in files {
@@ -276,14 +308,21 @@ fn cases(folder: &std::path::Path) -> Vec<Case> {
         let text = std::fs::read_to_string(folder.join(format!("{stem}.geojson"))).expect("text");
         let mut collection: Value = serde_json::from_str(&text).expect("JSON");
         for feature in collection["features"].as_array_mut().expect("features") {
-            let id = feature["properties"]["id"].as_str().expect("an id").to_owned();
+            let id = feature["properties"]["id"]
+                .as_str()
+                .expect("an id")
+                .to_owned();
             if let Some(expected) = expected.get(&id)
                 && id.contains(&only)
             {
                 let nodes = expected["nodes"].as_array().expect("nodes").iter();
                 let place = |n: &Value| [0, 1, 2].map(|k| n[k].as_f64().expect("a number"));
                 let expected = nodes.map(place).collect();
-                cases.push(Case { id, feature: feature.take(), expected });
+                cases.push(Case {
+                    id,
+                    feature: feature.take(),
+                    expected,
+                });
             }
         }
     }
@@ -310,7 +349,10 @@ fn nodes_are_those_of_another_exact_program() {
     let threads = thread::available_parallelism().map_or(1, |n| n.get());
     let mut outcomes: Vec<(&String, Outcome)> = thread::scope(|scope| {
         let running: Vec<_> = (0..threads).map(|_| scope.spawn(work)).collect();
-        running.into_iter().flat_map(|thread| thread.join().expect("panics are caught")).collect()
+        running
+            .into_iter()
+            .flat_map(|thread| thread.join().expect("panics are caught"))
+            .collect()
     });
     outcomes.sort_by_key(|(id, _)| *id);
     let (mut certified, mut failures) = (Vec::new(), Vec::new());
@@ -321,8 +363,17 @@ fn nodes_are_those_of_another_exact_program() {
             Outcome::Differs(how) => failures.push(format!("{id}: {how}")),
         }
     }
-    println!("{} cases compared, {} accepted with a certificate:", outcomes.len(), certified.len());
+    println!(
+        "{} cases compared, {} accepted with a certificate:",
+        outcomes.len(),
+        certified.len()
+    );
     println!("{}", certified.join("\n"));
     let shown = failures[..failures.len().min(60)].join("\n");
-    assert!(failures.is_empty(), "{} of {} cases differ\n{shown}", failures.len(), outcomes.len());
+    assert!(
+        failures.is_empty(),
+        "{} of {} cases differ\n{shown}",
+        failures.len(),
+        outcomes.len()
+    );
 }

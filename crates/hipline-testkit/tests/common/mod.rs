@@ -41,7 +41,9 @@ pub fn field(most: usize, each: usize) -> Vec<Case> {
         println!("skipped: no data from the field here");
         return Vec::new();
     };
-    let mut files: Vec<PathBuf> = entries.map(|entry| entry.expect("an entry").path()).collect();
+    let mut files: Vec<PathBuf> = entries
+        .map(|entry| entry.expect("an entry").path())
+        .collect();
     files.retain(|file| {
         let small = fs::metadata(file).is_ok_and(|data| data.len() < 4_000_000);
         small && file.extension().is_some_and(|ending| ending == "geojson")
@@ -73,6 +75,7 @@ fn polygon(feature: &Value) -> Option<Case> {
     };
     let rings = geometry["coordinates"].as_array()?.iter().map(ring);
     let mut case = Case::of(vec![Part::polygon(rings.collect::<Option<_>>()?)]);
-    case.comments.push(format!("{}", feature["properties"]["id"]));
+    case.comments
+        .push(format!("{}", feature["properties"]["id"]));
     Some(case)
 }
