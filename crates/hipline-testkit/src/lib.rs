@@ -17,3 +17,8 @@ pub mod reduce;
 pub mod reference;
 
 pub use case::Case;
+
+/// The examples of the project's README run as tests.
+#[cfg(doctest)]
+#[doc = include_str!("../../../README.md")]
+struct Readme;

@@ -1,0 +1,82 @@
+//! Maps of the input under which the library's results map along, bit for bit: swapped axes,
+//! mirrors, quarter turns, powers of two, other starts of rings, other orders of parts and holes.
+//! (Of translations times must be the same bits; places are rounded anew.)
+
+mod common;
+
+use std::thread;
+
+use common::{count, field, run};
+use hipline_testkit::Case;
+use hipline_testkit::agreement::drawn;
+use hipline_testkit::generate::{Family, small};
+use hipline_testkit::metamorphic::Map;
+
+/// Whether a map moves every point without rounding.
+fn is_exact(map: Map, case: &Case) -> bool {
+    let Map::Translate(by) = map else { return true };
+    let mut case = case.clone();
+    case.parts
+        .iter_mut()
+        .flat_map(|part| part.points_mut())
+        .all(|point| {
+            (0..2).all(|k| {
+                let (x, d) = (point[k], f64::from(by[k]));
+                let sum = x + d;
+                // The error of the sum (Knuth), which is an f64.
+                let part = sum - x;
+                (x - (sum - part)) + (d - part) == 0.0
+            })
+        })
+}
+
+/// How the skeleton of the case fails to map along.
+fn failures(case: &Case) -> Vec<String> {
+    let before = drawn(&run(case));
+    let maps = Map::some().into_iter().filter(|&map| {
+        // Ties between equally fast edges on either side of a slower one go by sides.
+        is_exact(map, case) && !(map.swaps_sides() && case.is_weighted())
+    });
+    let check = |map: Map| map.check(&before, &drawn(&run(&map.apply(case)))).err();
+    maps.filter_map(check)
+        .map(|difference| format!("{difference}\n{}", case.to_text()))
+        .collect()
+}
+
+fn check(cases: impl Iterator<Item = Case> + Clone + Send) {
+    let wrong: Vec<String> = thread::scope(|scope| {
+        let half = |k: usize| {
+            let cases = cases.clone().skip(k).step_by(2);
+            move || cases.flat_map(|case| failures(&case)).collect::<Vec<_>>()
+        };
+        let running = [scope.spawn(half(0)), scope.spawn(half(1))];
+        running
+            .into_iter()
+            .flat_map(|thread| thread.join().expect("no panic"))
+            .collect()
+    });
+    let shown = wrong[..wrong.len().min(8)].join("\n");
+    assert!(wrong.is_empty(), "{} wrong\n{shown}", wrong.len());
+}
+
+#[test]
+fn small_cases_map_along() {
+    check((0..count(4000, 200)).map(small));
+}
+
+#[test]
+fn families_map_along() {
+    let n = count(300, 60) as usize;
+    check(
+        Family::all()
+            .into_iter()
+            .map(move |family| family.generate(n, 3)),
+    );
+}
+
+#[test]
+fn the_field_maps_along() {
+    let cases = field(count(150, 60) as usize, 3);
+    println!("{} cases", cases.len());
+    check(cases.iter().cloned());
+}
