@@ -3,7 +3,7 @@
 use super::{
     Edge, Mesh, MeshEdge,
     range::Scale,
-    delaunay::NONE, triangulate::coord,
+    triangulate::{NONE, coord},
 };
 
 /// One side of an edge of the mesh: a side of a triangle, or a hull edge from the outside.

@@ -1,6 +1,6 @@
 //! Figures whose vertices are all on one line: there is nothing to triangulate.
 
-use super::{Edge, Mesh, MeshEdge, mesh::HullEdge, delaunay::NONE};
+use super::{Edge, Mesh, MeshEdge, mesh::HullEdge, triangulate::NONE};
 use crate::topology::VertexId;
 
 /// Pairs of overlapping edges, and how many more there are at the least.

@@ -1,57 +1,71 @@
-//! From half-edges to the plain arrays of a [`Mesh`].
+//! From spade's half-edges to the plain arrays of a [`Mesh`].
+
+use spade::{
+    Triangulation,
+    handles::{DirectedEdgeHandle, FixedDirectedEdgeHandle, VertexHandle},
+};
 
 use super::{
     Mesh, MeshEdge,
-    delaunay::{INFINITE, NONE, Triangulation, next, prev},
     mesh::HullEdge,
+    triangulate::{Cdt, NONE},
 };
 
-/// Copies a triangulation; its ghost triangles become the hull.
-pub(super) fn convert(triangulation: &Triangulation<'_>) -> Mesh {
-    let slots = triangulation.origin.len() as u32 / 3;
-    let edge = |h: u32| Some(triangulation.owner[h as usize]).filter(|&owner| owner != NONE);
-    // What the mesh calls each slot: a triangle, or a hull edge plus `HULL`.
-    let mut names = vec![NONE; slots as usize];
-    let mut count = 0;
-    let mut infinite = None;
-    for slot in 0..slots {
-        if let Some(h) = (3 * slot..3 * slot + 3).find(|&h| triangulation.from(h) == INFINITE) {
-            infinite = Some(h);
-        } else {
-            names[slot as usize] = count;
-            count += 1;
-        }
+type Handle<'a> = DirectedEdgeHandle<'a, spade::Point2<f64>, (), spade::CdtEdge<()>, ()>;
+
+/// Copies a triangulation that has at least one triangle; `order` gives our number of each
+/// vertex of spade's, `owners` the edge of the figure on each undirected edge of spade's.
+pub(super) fn convert(cdt: &Cdt, order: &[u32], owners: &[u32]) -> Mesh {
+    let name = |vertex: VertexHandle<'_, _, _, _, _>| order[vertex.index()];
+    let owner = |edge: FixedDirectedEdgeHandle| {
+        let owner = owners[edge.as_undirected().index()];
+        (owner != NONE).then_some(owner)
+    };
+    // Spade's face 0 is the outer one.
+    let triangle = |edge: Handle<'_>| (edge.face().index() as u32).wrapping_sub(1);
+    let count = cdt.num_inner_faces();
+    let mut mesh = Mesh {
+        corners: Vec::with_capacity(count),
+        across: Vec::with_capacity(count),
+        inside: vec![false; count],
+        hull: Vec::new(),
+    };
+    for face in cdt.inner_faces() {
+        let edges: [Handle<'_>; 3] = face.adjacent_edges();
+        mesh.corners.push(edges.map(|edge| name(edge.from())));
+        let [a, b, c] = edges.map(|edge| MeshEdge {
+            edge: owner(edge.fix()),
+            neighbour: triangle(edge.rev()),
+        });
+        // Edge a runs from corner 0 to corner 1: it is opposite corner 2.
+        mesh.across.push([b, c, a]);
     }
-    let mut hull = Vec::new();
-    let start = infinite.expect("a triangulation has an outside");
-    let mut from_infinity = start;
+    let start = cdt
+        .outer_face()
+        .adjacent_edge()
+        .expect("a triangulation has a hull");
+    let mut edge = start;
     loop {
-        // A ghost (u, v, infinite), counterclockwise, lies on the left of u -> v; its
-        // neighbour at v is the next one.
-        let h = next(from_infinity);
-        names[(h / 3) as usize] = MeshEdge::HULL + hull.len() as u32;
-        let neighbour = names[(triangulation.twin(h) / 3) as usize];
-        let across = MeshEdge { edge: edge(h), neighbour };
-        hull.push(HullEdge { from: triangulation.from(h), to: triangulation.to(h), across });
-        from_infinity = triangulation.twin(next(h));
-        if from_infinity == start {
+        let inner = triangle(edge.rev());
+        let from = name(edge.from());
+        let to = name(edge.to());
+        let corners = mesh.corners[inner as usize];
+        // Seen from the inside the edge runs to -> from; the corner opposite comes next.
+        let opposite = (0..3).find(|&k| corners[k] != from && corners[k] != to);
+        let opposite = opposite.expect("a triangle has a third corner");
+        mesh.across[inner as usize][opposite].neighbour = MeshEdge::HULL + mesh.hull.len() as u32;
+        mesh.hull.push(HullEdge {
+            from,
+            to,
+            across: MeshEdge {
+                edge: owner(edge.fix()),
+                neighbour: inner,
+            },
+        });
+        edge = edge.next();
+        if edge == start {
             break;
         }
-    }
-    let mut mesh = Mesh {
-        corners: Vec::with_capacity(count as usize),
-        across: Vec::with_capacity(count as usize),
-        inside: vec![false; count as usize],
-        hull,
-    };
-    for slot in (0..slots).filter(|&slot| names[slot as usize] < MeshEdge::HULL) {
-        let h = 3 * slot;
-        mesh.corners.push([h, next(h), prev(h)].map(|h| triangulation.from(h)));
-        // The half-edge from corner 0 to corner 1 is opposite corner 2.
-        mesh.across.push([next(h), prev(h), h].map(|h| MeshEdge {
-            edge: edge(h),
-            neighbour: names[(triangulation.twin(h) / 3) as usize],
-        }));
     }
     mesh
 }

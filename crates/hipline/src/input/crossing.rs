@@ -7,12 +7,12 @@
 //! costs little more than a valid one, however its edges lie.
 
 use robust::{Coord, orient2d};
+use spade::{Intersection, LineIntersectionIterator};
 
 use super::{
     Edge, Flaw, InvalidFigure, Place,
     range::Scale,
-    triangulate::{Conflicts, Crossed, coord, ends},
-    constrain::Step, delaunay::NONE,
+    triangulate::{Conflicts, Crossed, NONE, coord},
 };
 
 /// Reports all pairs of edges that cross or overlap, up to a limit.
@@ -23,7 +23,7 @@ pub(super) fn report(
     vertices: &[[f64; 2]],
     edges: &[Edge],
     scale: Scale,
-    conflicts: Conflicts<'_>,
+    conflicts: Conflicts,
     flaws: &mut Vec<Flaw>,
 ) {
     let segments = Segments {
@@ -74,19 +74,16 @@ impl Segments<'_> {
     }
 
     /// All pairs, and how many more there are at the least.
-    fn pairs(&self, crossed: &Crossed<'_>) -> (Vec<[u32; 2]>, usize) {
+    fn pairs(&self, crossed: &Crossed) -> (Vec<[u32; 2]>, usize) {
         let limit = InvalidFigure::MAX_PAIRS;
         let mut pairs = Vec::new();
         let mut more = 0;
-        let triangulation = &crossed.triangulation;
         let mut shared: Vec<_> = crossed.extras.iter().collect();
         shared.sort_unstable();
         for (&piece, extras) in shared {
             for (k, &edge) in extras.iter().enumerate() {
                 if pairs.len() < limit {
-                    let piece = triangulation.find(piece[0], piece[1]).expect("it has an owner");
-                    let owner = triangulation.owner[piece as usize];
-                    let others = extras[..k].iter().chain([&owner]);
+                    let others = extras[..k].iter().chain([&crossed.owners[piece]]);
                     pairs.extend(others.map(|&other| ordered(edge, other)));
                 } else {
                     more += 1;
@@ -113,31 +110,34 @@ impl Segments<'_> {
     }
 
     /// Walks along a rejected edge, collects what it crosses and overlaps, and returns the
-    /// vertices on its inside, sorted.
-    fn walk(&self, crossed: &Crossed<'_>, edge: u32, pairs: &mut Vec<[u32; 2]>) -> Vec<u32> {
+    /// vertices (spade's numbers, sorted) that it passes through.
+    fn walk(&self, crossed: &Crossed, edge: u32, pairs: &mut Vec<[u32; 2]>) -> Vec<usize> {
         let Edge { from, to, .. } = self.edges[edge as usize];
-        let triangulation = &crossed.triangulation;
+        let [from, to] = [from, to].map(|end| crossed.handles[end.index()]);
         let mut passed = Vec::new();
-        triangulation.walk(from.index() as u32, to.index() as u32, |step| {
-            match step {
-                Step::Vertex(vertex) => passed.push(vertex),
-                Step::Across(piece) | Step::Along(piece) => {
-                    let owner = triangulation.owner[piece as usize];
-                    if owner != NONE {
-                        let extras = crossed.extras.get(&ends(triangulation, piece)).into_iter().flatten();
-                        pairs.extend(extras.chain([&owner]).map(|&other| ordered(edge, other)));
+        for met in LineIntersectionIterator::new_from_handles(&crossed.cdt, from, to) {
+            let piece = match met {
+                Intersection::VertexIntersection(vertex) => {
+                    if vertex.fix() != from && vertex.fix() != to {
+                        passed.push(vertex.index());
                     }
+                    continue;
                 }
+                Intersection::EdgeIntersection(piece) | Intersection::EdgeOverlap(piece) => piece,
+            };
+            let piece = piece.as_undirected().index();
+            let owner = crossed.owners[piece];
+            if owner != NONE {
+                let extras = crossed.extras.get(&piece).into_iter().flatten();
+                pairs.extend(extras.chain([&owner]).map(|&other| ordered(edge, other)));
             }
-            true
-        });
-        passed.pop();
+        }
         passed.sort_unstable();
         passed
     }
 
     /// The pairs of two rejected edges, by a sweep over their extents in x.
-    fn rejected_pairs(&self, rejected: &[u32], passed: &[Vec<u32>], pairs: &mut Vec<[u32; 2]>) {
+    fn rejected_pairs(&self, rejected: &[u32], passed: &[Vec<usize>], pairs: &mut Vec<[u32; 2]>) {
         let limit = pairs.len() + 2 * InvalidFigure::MAX_PAIRS;
         let mut boxes: Vec<([f64; 4], usize)> = rejected
             .iter()
@@ -237,6 +237,6 @@ fn ordered(a: u32, b: u32) -> [u32; 2] {
 }
 
 /// Whether two sorted lists have an element in common.
-fn share(a: &[u32], b: &[u32]) -> bool {
+fn share(a: &[usize], b: &[usize]) -> bool {
     a.iter().any(|x| b.binary_search(x).is_ok())
 }

@@ -9,10 +9,8 @@ mod builder;
 #[cfg(any(test, debug_assertions))]
 mod check;
 mod collinear;
-mod constrain;
 mod convert;
 mod crossing;
-mod delaunay;
 mod figure;
 mod flaw;
 mod gather;

@@ -1,31 +1,44 @@
-//! A constrained triangulation of the figure.
+//! A constrained Delaunay triangulation of the figure, by the crate spade.
+//!
+//! Spade's predicates are exact (Shewchuk's), so what comes out is a triangulation and not
+//! nearly one. Vertices go in one by one in the order of [`insertion_order`]: spade's own
+//! bulk load sorts by distance from the centre, which is slow for points on a circle.
 
 use std::collections::HashMap;
 
-use super::{
-    Edge, Mesh, collinear,
-    convert::convert,
-    delaunay::{NONE, Triangulation},
-    order::insertion_order,
-    range::Scale,
+use spade::{
+    ConstrainedDelaunayTriangulation, LastUsedVertexHintGenerator, Point2, Triangulation,
+    handles::FixedVertexHandle,
 };
+
+use super::{Edge, Mesh, collinear, convert::convert, order::insertion_order, range::Scale};
 use crate::topology::VertexId;
 
+/// Spade's triangulation with the least data on it.
+pub(super) type Cdt =
+    ConstrainedDelaunayTriangulation<Point2<f64>, (), (), (), LastUsedVertexHintGenerator>;
+
+/// No edge of the figure.
+pub(super) const NONE: u32 = u32::MAX;
+
 /// Why there is no triangulation: some edges cross or overlap.
-pub(super) enum Conflicts<'a> {
+pub(super) enum Conflicts {
     /// All vertices are on one line; these pairs of edges overlap.
     Collinear(collinear::Overlaps),
     /// The triangulation with all edges but those in the way.
-    Crossed(Box<Crossed<'a>>),
+    Crossed(Box<Crossed>),
 }
 
 /// A triangulation that some edges did not fit into.
-pub(super) struct Crossed<'a> {
+pub(super) struct Crossed {
     /// With the edges that fitted.
-    pub triangulation: Triangulation<'a>,
-    /// Further edges of the figure on an edge of the triangulation, named by its ends:
-    /// they overlap its owner.
-    pub extras: HashMap<[u32; 2], Vec<u32>>,
+    pub cdt: Cdt,
+    /// Spade's handle of each vertex.
+    pub handles: Vec<FixedVertexHandle>,
+    /// The edge of the figure on each undirected edge of spade's, or [`NONE`].
+    pub owners: Vec<u32>,
+    /// Further edges of the figure on spade's edges: they overlap the owner.
+    pub extras: HashMap<usize, Vec<u32>>,
     /// Edges that cross an edge that came earlier.
     pub rejected: Vec<u32>,
 }
@@ -35,78 +48,93 @@ pub(super) struct Crossed<'a> {
 ///
 /// # Errors
 /// If any two edges cross or overlap; then no edge is split.
-pub(super) fn triangulate<'a>(
-    vertices: &'a [[f64; 2]],
+pub(super) fn triangulate(
+    vertices: &[[f64; 2]],
     edges: &mut Vec<Edge>,
     scale: Scale,
-) -> Result<Mesh, Conflicts<'a>> {
+) -> Result<Mesh, Conflicts> {
+    let points = |vertex: u32| scale.apply(vertices[vertex as usize]);
     let mut order = insertion_order(vertices);
-    let Some(apex) = first_off_line(vertices, &order, scale) else {
+    // Spade is slow as long as all vertices are on one line, so begin with a triangle.
+    let Some(apex) = first_off_line(&order, points) else {
         return collinear::mesh(vertices, edges).map_err(Conflicts::Collinear);
     };
     order[2..=apex].rotate_right(1);
-    let mut triangulation = Triangulation::new(vertices, scale, &order);
-    drop(order);
 
-    let mut extras = HashMap::<_, Vec<u32>>::new();
+    let count = vertices.len();
+    let mut cdt = Cdt::with_capacity(count, 3 * count, 2 * count);
+    let mut handles = vec![FixedVertexHandle::from_index(0); count];
+    for &vertex in &order {
+        let [x, y] = points(vertex);
+        handles[vertex as usize] = cdt
+            .insert(Point2::new(x, y))
+            .expect("scaled coordinates are in spade's range");
+    }
+    debug_assert_eq!(cdt.num_vertices(), count, "vertices are distinct");
+
+    let mut owners = vec![NONE; cdt.num_undirected_edges()];
+    let mut extras = HashMap::<usize, Vec<u32>>::new();
     let mut rejected = Vec::new();
     let mut split = Vec::new();
     for (index, edge) in edges.iter().enumerate() {
-        let [from, to] = [edge.from, edge.to].map(|end| end.index() as u32);
-        let index = index as u32;
-        let mut claim = |triangulation: &mut Triangulation<'_>, h: u32| {
-            if triangulation.owner[h as usize] == NONE {
-                triangulation.own(h, index);
+        let pieces = cdt.try_add_constraint(handles[edge.from.index()], handles[edge.to.index()]);
+        if pieces.is_empty() {
+            rejected.push(index as u32);
+            continue;
+        }
+        for piece in &pieces {
+            let piece = piece.as_undirected().index();
+            if owners[piece] == NONE {
+                owners[piece] = index as u32;
             } else {
-                extras.entry(ends(triangulation, h)).or_default().push(index);
+                extras.entry(piece).or_default().push(index as u32);
             }
-        };
-        if let Some(h) = triangulation.find(from, to) {
-            claim(&mut triangulation, h);
-        } else if let Some(passed) = triangulation.constrain(from, to) {
-            for pair in passed.windows(2) {
-                let piece = triangulation.find(pair[0], pair[1]).expect("the edge is there now");
-                claim(&mut triangulation, piece);
-            }
-            if passed.len() > 2 {
-                split.push((index, passed));
-            }
-        } else {
-            rejected.push(index);
+        }
+        if pieces.len() > 1 {
+            split.push((index, pieces));
         }
     }
     if !(rejected.is_empty() && extras.is_empty()) {
-        return Err(Conflicts::Crossed(Box::new(Crossed { triangulation, extras, rejected })));
+        return Err(Conflicts::Crossed(Box::new(Crossed {
+            cdt,
+            handles,
+            owners,
+            extras,
+            rejected,
+        })));
     }
-    for (index, passed) in split {
-        let whole = edges[index as usize];
-        for (k, pair) in passed.windows(2).enumerate() {
-            let [from, to] = [pair[0], pair[1]].map(|vertex| VertexId::new(vertex as usize));
-            let part = Edge { from, to, ..whole };
+    drop(handles);
+
+    for (index, pieces) in split {
+        let whole = edges[index];
+        for (k, piece) in pieces.into_iter().enumerate() {
+            let ends = cdt
+                .directed_edge(piece)
+                .vertices()
+                .map(|end| VertexId::new(order[end.index()] as usize));
+            let part = Edge {
+                from: ends[0],
+                to: ends[1],
+                ..whole
+            };
             if k == 0 {
-                edges[index as usize] = part;
+                edges[index] = part;
             } else {
-                let piece = triangulation.find(pair[0], pair[1]).expect("edges with an owner stay");
-                triangulation.own(piece, edges.len() as u32);
+                owners[piece.as_undirected().index()] = edges.len() as u32;
                 edges.push(part);
             }
         }
     }
-    Ok(convert(&triangulation))
-}
-
-/// The ends of an edge of the triangulation, in order of their numbers.
-pub(super) fn ends(triangulation: &Triangulation<'_>, h: u32) -> [u32; 2] {
-    let (from, to) = (triangulation.from(h), triangulation.to(h));
-    [from.min(to), from.max(to)]
+    Ok(convert(&cdt, &order, &owners))
 }
 
 /// The position in the order of the first vertex that is not on the line of the first two.
-fn first_off_line(vertices: &[[f64; 2]], order: &[u32], scale: Scale) -> Option<usize> {
-    let point = |&vertex: &u32| coord(scale.apply(vertices[vertex as usize]));
-    let [first, second, ..] = order else { return None };
-    let [first, second] = [first, second].map(point);
-    (2..order.len()).find(|&k| robust::orient2d(first, second, point(&order[k])) != 0.0)
+fn first_off_line(order: &[u32], points: impl Fn(u32) -> [f64; 2]) -> Option<usize> {
+    let [first, second, ..] = *order else {
+        return None;
+    };
+    let [first, second] = [first, second].map(|vertex| coord(points(vertex)));
+    (2..order.len()).find(|&k| robust::orient2d(first, second, coord(points(order[k]))) != 0.0)
 }
 
 /// A point for the predicates.
