@@ -250,7 +250,7 @@ pub struct OffsetArgs {
     pub step: Option<f64>,
 
     /// How many steps; needed where offsets never end
-    #[arg(long, value_name = "N", requires = "step",
+    #[arg(long, value_name = "N", requires = "step", conflicts_with = "distance",
           value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
     pub count: Option<u32>,
 

@@ -39,7 +39,7 @@ const LONG: usize = 20_000;
 
 /// The skeletons of all items, in their order.
 pub fn skeletons(items: &[Item], options: Options) -> Vec<Computed> {
-    each(items, |figure| match figure {
+    each(items, |_, figure| match figure {
         Some(figure) => Ok(figure.skeleton(options)),
         None => Ok(empty(options.region)),
     })
@@ -49,7 +49,7 @@ pub fn skeletons(items: &[Item], options: Options) -> Vec<Computed> {
 /// processors; the order of the results is that of the items.
 pub fn each<T: Send>(
     items: &[Item],
-    compute: impl Fn(Option<&Figure>) -> Result<T, String> + Sync,
+    compute: impl Fn(&Item, Option<&Figure>) -> Result<T, String> + Sync,
 ) -> Vec<Computed<T>> {
     let progress = progress(items);
     let next = AtomicUsize::new(0);
@@ -76,17 +76,21 @@ pub fn each<T: Send>(
         .collect()
 }
 
-fn one<T>(item: &Item, compute: &impl Fn(Option<&Figure>) -> Result<T, String>) -> Computed<T> {
+fn one<T>(
+    item: &Item,
+    compute: &impl Fn(&Item, Option<&Figure>) -> Result<T, String>,
+) -> Computed<T> {
     let title = item.title();
     // A bug in the library costs the feature that shows it, not the others.
     let attempt = catch_unwind(AssertUnwindSafe(|| match item.figure() {
         Ok(figure) => {
-            let result = compute(Some(&figure)).map_err(|e| format!("{title}: {e}"));
+            let result = compute(item, Some(&figure)).map_err(|e| format!("{title}: {e}"));
             (Some(figure), result)
         }
-        Err(error) if error.is_empty_geometry() => {
-            (None, compute(None).map_err(|e| format!("{title}: {e}")))
-        }
+        Err(error) if error.is_empty_geometry() => (
+            None,
+            compute(item, None).map_err(|e| format!("{title}: {e}")),
+        ),
         Err(error) => (None, Err(error.to_string())),
     }));
     let (figure, result) = attempt.unwrap_or_else(|payload| {

@@ -192,11 +192,8 @@ fn every_output_format() {
     assert_eq!(json(&read(0))["arcs"].as_array().unwrap().len(), 5);
     // 6 nodes, 5 arcs, 4 faces.
     assert_eq!(json(&read(1))["features"].as_array().unwrap().len(), 15);
-    assert!(
-        read(2).contains("LINESTRING Z (2 2 2, 6 2 2)"),
-        "{}",
-        read(2)
-    );
+    let ridge = ["(2 2 2, 6 2 2)", "(6 2 2, 2 2 2)"];
+    assert!(ridge.iter().any(|r| read(2).contains(r)), "{}", read(2));
     assert_eq!(read(3).lines().filter(|l| l.starts_with("f ")).count(), 4);
     assert!(read(3).contains("v 2 2 2"), "{}", read(3));
     assert!(read(4).starts_with("<svg ") && read(4).contains("id=\"ridge\""));
@@ -326,8 +323,7 @@ fn devices_and_links_are_not_replaced() {
 #[test]
 fn a_reader_that_goes_away_is_no_failure() {
     use std::{io::Read, process::Stdio};
-    let mut points: Vec<String> = (0..20_000).map(|i| format!("{i} {}", i % 2)).collect();
-    points.push("10000 -5000".to_owned());
+    let points: Vec<String> = (0..20_000).map(|i| format!("{i} {}", i % 2)).collect();
     let scratch = Scratch::new("pipe");
     let input = scratch.file("in.wkt", &format!("LINESTRING ({})", points.join(", ")));
     let mut child = std::process::Command::new(assert_cmd::cargo::cargo_bin("hipline"))
@@ -604,8 +600,8 @@ fn check_verifies_results() {
         ),
         (
             "broken",
-            good.replace("\"nodes\":[0,4]", "\"nodes\":[0,99]"),
-            "there is no such node",
+            good.replace("[3,0]]", "[3,99]]"),
+            "there is no such vertex",
         ),
         (
             "cut",

@@ -94,14 +94,9 @@ fn check_result(items: &[Item], path: &Path) -> Result<Outcome, Failure> {
         report(format_args!("result {index} belongs to no feature"));
         outcome = Outcome::Flawed;
     }
-    // `each` knows no numbers, but figures come in order from one item each.
-    let checked: Vec<Computed<Verified>> = items
-        .iter()
-        .flat_map(|item| {
-            let record = by_index.get(&item.name().index);
-            each(std::slice::from_ref(item), |figure| verify(figure, record))
-        })
-        .collect();
+    let checked: Vec<Computed<Verified>> = each(items, |item, figure| {
+        verify(figure, by_index.get(&item.name().index))
+    });
     if report_errors(&checked) == Outcome::Flawed {
         outcome = Outcome::Flawed;
     }

@@ -34,7 +34,7 @@ pub fn run(args: &OffsetArgs) -> Result<Outcome, Failure> {
     let items = Item::all(&document, args.input.together);
     watch.lap("read");
     let endless = AtomicBool::new(false);
-    let computed = each(&items, |figure| {
+    let computed = each(&items, |_, figure| {
         let Some(figure) = figure else {
             return Ok(Offsets {
                 skeleton: compute::empty(args.compute.region()),
