@@ -5,7 +5,7 @@ use std::io::{self, Write};
 use hipline::{Region, offset::Offset};
 use hipline_io::{
     FeatureName,
-    write::{Layers, OffsetLine, Picture},
+    write::{Layers, OffsetLine, Picture, Window},
 };
 
 use super::offset::Offsets;
@@ -15,6 +15,9 @@ use crate::{
     failure::Failure,
     output::Target,
 };
+
+/// The free border of a picture, as a part of its longer side.
+const MARGIN: f64 = 0.04;
 
 pub fn write(
     target: &Target,
@@ -50,6 +53,11 @@ fn picture<'a>(computed: &'a [Computed<Offsets>], args: &OffsetArgs) -> Picture<
             }
         }
     }
+    if !args.skeleton
+        && let Some(window) = Window::around(seen(computed))
+    {
+        picture.window(window.enlarged(MARGIN));
+    }
     picture.layers(Layers {
         faces: args.skeleton,
         arcs: args.skeleton,
@@ -58,6 +66,17 @@ fn picture<'a>(computed: &'a [Computed<Offsets>], args: &OffsetArgs) -> Picture<
         ..Layers::default()
     });
     picture
+}
+
+/// What is drawn without the skeleton, whose nodes may be far away: the input and the offsets.
+fn seen(computed: &[Computed<Offsets>]) -> impl Iterator<Item = [f64; 2]> {
+    successes(computed).flat_map(|(_, Offsets { skeleton, offsets })| {
+        let input = skeleton.nodes().iter().take(skeleton.input().vertices);
+        let loops = offsets.iter().flat_map(Offset::loops);
+        input
+            .map(|node| [node.x, node.y])
+            .chain(loops.flat_map(|cycle| cycle.points().iter().copied()))
+    })
 }
 
 /// A piece of an offset.
