@@ -1,2 +1,30 @@
-//! The command line of hipline.
-fn main() {}
+//! The command line of hipline: straight skeletons of files.
+//!
+//! ```text
+//! args        what can be asked for; help, completions and the man page derive from it
+//! failure     exit codes
+//! input       from a file or standard input to features
+//! compute     from features to skeletons, each on its own
+//! output      whole files or none, standard output without panics
+//! mesh        roofs as OBJ
+//! command/    one module a command
+//! ```
+//!
+//! No geometry here: files are converted, the library is called, results are converted.
+
+mod args;
+mod command;
+mod compute;
+mod failure;
+mod input;
+mod mesh;
+mod output;
+
+use std::process::ExitCode;
+
+use clap::Parser;
+
+fn main() -> ExitCode {
+    let args = args::Args::parse();
+    failure::exit_code(command::run(args.command))
+}

@@ -393,45 +393,45 @@ fn svg_has_every_layer() {
     check(
         &text(|w| picture.svg(w)),
         expect![[r##"
-            <svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 1000 434.156" width="1000" height="434.156" stroke-linecap="round" stroke-linejoin="round">
+            <svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 1000 404.002" width="1000" height="404.002" stroke-linecap="round" stroke-linejoin="round">
             <rect width="100%" height="100%" fill="#fbfaf6"/>
             <g id="faces" stroke-width="0.6">
-            <path fill="#aeb9c1" stroke="#aeb9c1" fill-rule="evenodd" d="M191.358 242.798L808.642 242.798L1000 51.44L1000 0L0 0L0 51.44Z"/>
-            <path fill="#e0dacb" stroke="#e0dacb" fill-rule="evenodd" d="M808.642 242.798L191.358 242.798L0 434.156L1000 434.156Z"/>
-            <path fill="#98abbc" stroke="#98abbc" fill-rule="evenodd" d="M191.358 242.798L0 51.44L0 434.156Z"/>
-            <path fill="#f6e8d0" stroke="#f6e8d0" fill-rule="evenodd" d="M808.642 242.798L1000 434.156L1000 434.156L1000 51.44Z"/>
+            <path fill="#aeb9c1" stroke="#aeb9c1" fill-rule="evenodd" d="M100.894 303.108L899.106 303.108L1000 202.214L1000 0L0 0L0 202.214Z"/>
+            <path fill="#e0dacb" stroke="#e0dacb" fill-rule="evenodd" d="M899.106 303.108L100.894 303.108L0 404.002L1000 404.002Z"/>
+            <path fill="#98abbc" stroke="#98abbc" fill-rule="evenodd" d="M100.894 303.108L0 202.214L0 404.002Z"/>
+            <path fill="#f6e8d0" stroke="#f6e8d0" fill-rule="evenodd" d="M899.106 303.108L1000 404.002L1000 404.002L1000 202.214Z"/>
             </g>
             <g id="arcs">
             <g id="ghost" fill="none" stroke="#8d8f94" stroke-width="1.2" stroke-dasharray="6 6">
             </g>
             <g id="valley" fill="none" stroke="#2c6d9e" stroke-width="2">
-            <path d="M191.358 242.798L0 51.44M191.358 242.798L0 434.156M808.642 242.798L1000 51.44M808.642 242.798L1000 434.156"/>
+            <path d="M100.894 303.108L0 202.214M100.894 303.108L0 404.002M899.106 303.108L1000 202.214M899.106 303.108L1000 404.002"/>
             </g>
             <g id="ridge" fill="none" stroke="#a8412f" stroke-width="2">
             </g>
             </g>
             <g id="offsets" fill="none" stroke="#6b4a8c" stroke-width="2.4">
-            <path d="M191.358 37.037L808.642 37.037Z"/>
+            <path d="M100.894 37.037L899.106 37.037Z"/>
             </g>
             <g id="input" fill="none" stroke="#23272e" stroke-width="3.6">
-            <path d="M191.358 242.798L808.642 242.798"/>
+            <path d="M100.894 303.108L899.106 303.108"/>
             </g>
             <g id="nodes" fill="#23272e">
-            <circle cx="191.358" cy="242.798" r="3.2"/>
-            <circle cx="808.642" cy="242.798" r="3.2"/>
+            <circle cx="100.894" cy="303.108" r="3.2"/>
+            <circle cx="899.106" cy="303.108" r="3.2"/>
             </g>
             <g id="labels" fill="#4b5058" font-family="sans-serif" font-size="14" text-anchor="middle" dominant-baseline="central">
-            <text x="203.358" y="230.798">n0</text>
-            <text x="820.642" y="230.798">n1</text>
-            <text x="95.679" y="147.119">a0</text>
-            <text x="95.679" y="338.477">a1</text>
-            <text x="904.321" y="147.119">a2</text>
-            <text x="904.321" y="338.477">a3</text>
-            <text x="500" y="242.798">e0</text>
-            <text x="500" y="98.08">f0</text>
-            <text x="500" y="338.477">f1</text>
-            <text x="63.786" y="242.798">f2</text>
-            <text x="952.16" y="290.638">f3</text>
+            <text x="112.894" y="291.108">n0</text>
+            <text x="911.106" y="291.108">n1</text>
+            <text x="50.447" y="252.661">a0</text>
+            <text x="50.447" y="353.555">a1</text>
+            <text x="949.553" y="252.661">a2</text>
+            <text x="949.553" y="353.555">a3</text>
+            <text x="500" y="303.108">e0</text>
+            <text x="500" y="168.44">f0</text>
+            <text x="500" y="353.555">f1</text>
+            <text x="33.631" y="303.108">f2</text>
+            <text x="974.777" y="328.331">f3</text>
             </g>
             </svg>
         "##]],

@@ -123,8 +123,9 @@ impl<'a> Picture<'a> {
 
     /// The window around a skeleton without its margin.
     fn fitted(skeleton: &Skeleton) -> Option<Window> {
-        // A picture in which the input takes less than a quarter of the side shows nothing.
-        const FARTHEST: f64 = 1.5;
+        // Wavefronts that leave a figure can meet again very far away. The input should take
+        // half of the side at least, or there is nothing to see of it.
+        const FARTHEST: f64 = 0.35;
         let input = Window::around(
             skeleton
                 .nodes()
@@ -142,7 +143,7 @@ impl<'a> Picture<'a> {
             .filter(|p| near.contains(*p));
         let window = Window::around(seen)?.union(input);
         Some(if has_infinite {
-            window.enlarged(0.25)
+            window.enlarged(0.08)
         } else {
             window
         })
