@@ -43,7 +43,11 @@ fn leading(m: &IBig) -> (f64, i32) {
 fn size(m: &IBig) -> f64 {
     let (top, cut) = leading(m);
     // Below 2^52, the sum is exact; so is the scaling.
-    if cut == 0 { top } else { (top + 1.0) * 2.0_f64.powi(cut) }
+    if cut == 0 {
+        top
+    } else {
+        (top + 1.0) * 2.0_f64.powi(cut)
+    }
 }
 
 /// A lower bound of the size of a mantissa.
@@ -56,7 +60,12 @@ impl Wide {
     /// The value of an integer.
     #[must_use]
     pub fn from_int(i: &IBig) -> Self {
-        Self { mantissa: i.clone(), exponent: 0, error: 0.0 }.cut()
+        Self {
+            mantissa: i.clone(),
+            exponent: 0,
+            error: 0.0,
+        }
+        .cut()
     }
 
     /// The root of a natural number.
@@ -82,9 +91,14 @@ impl Wide {
 
     /// This value with the given, smaller exponent.
     fn lowered(&self, exponent: i64) -> (IBig, f64) {
-        let by = usize::try_from(self.exponent - exponent).expect("an exponent not above this one's");
+        let by =
+            usize::try_from(self.exponent - exponent).expect("an exponent not above this one's");
         let scale = 2.0_f64.powi(i32::try_from(by).unwrap_or(i32::MAX));
-        let error = if self.error > 0.0 { self.error * scale * UP } else { 0.0 };
+        let error = if self.error > 0.0 {
+            self.error * scale * UP
+        } else {
+            0.0
+        };
         (&self.mantissa << by, error)
     }
 
@@ -101,7 +115,11 @@ impl Wide {
             let scale = 2.0_f64.powi(-i32::try_from(spread).unwrap_or(i32::MAX));
             let lost = (size(&small.mantissa) + small.error) * scale;
             return Self {
-                mantissa: if sign { -&large.mantissa } else { large.mantissa.clone() },
+                mantissa: if sign {
+                    -&large.mantissa
+                } else {
+                    large.mantissa.clone()
+                },
                 exponent: large.exponent,
                 error: (large.error + lost + f64::MIN_POSITIVE) * UP,
             };
@@ -117,13 +135,22 @@ impl Wide {
             o.lowered(exponent)
         };
         let mantissa = if negate { a - b } else { a + b };
-        Self { mantissa, exponent, error: (e + f) * UP }.cut()
+        Self {
+            mantissa,
+            exponent,
+            error: (e + f) * UP,
+        }
+        .cut()
     }
 
     /// The quotient; the bound is infinite if the divisor may be zero.
     #[must_use]
     pub fn div(&self, o: &Self) -> Self {
-        let unknown = Self { mantissa: IBig::ZERO, exponent: 0, error: f64::INFINITY };
+        let unknown = Self {
+            mantissa: IBig::ZERO,
+            exponent: 0,
+            error: f64::INFINITY,
+        };
         // A lower bound of the divisor's size less its error, rounded down.
         let least = (least(&o.mantissa) - o.error * UP) / UP;
         if o.mantissa == IBig::ZERO || least.is_nan() || least <= 0.0 {
@@ -135,7 +162,12 @@ impl Wide {
         // |q'| = |(n + dn) / (m + dm)|, so |q' - q| <= (dn + |q| dm) / (|m| - dm), and the
         // integer division rounds by less than one.
         let error = (self.error * scale + size(&mantissa) * o.error) / least * UP * UP + 1.0;
-        Self { mantissa, exponent: self.exponent - o.exponent - up as i64, error: error * UP }.cut()
+        Self {
+            mantissa,
+            exponent: self.exponent - o.exponent - up as i64,
+            error: error * UP,
+        }
+        .cut()
     }
 
     /// The root of a quantity that is not negative.
@@ -149,7 +181,11 @@ impl Wide {
             // The root of something between 0 and high.
             let odd = self.exponent.rem_euclid(2);
             let root = (high * if odd == 1 { 2.0 } else { 1.0 }).sqrt() * UP;
-            return Self { mantissa: IBig::ZERO, exponent: (self.exponent - odd) / 2, error: root };
+            return Self {
+                mantissa: IBig::ZERO,
+                exponent: (self.exponent - odd) / 2,
+                error: root,
+            };
         }
         let length = bits(&self.mantissa);
         let mut up = (2 * DIGITS).saturating_sub(length);
@@ -162,8 +198,17 @@ impl Wide {
         let mantissa = IBig::from(root);
         let scaled = self.error * 2.0_f64.powi(i32::try_from(up).unwrap_or(i32::MAX));
         // |sqrt(a + d) - sqrt(a)| <= |d| / sqrt(a) for a + d >= 0, and sqrt(a) >= root.
-        let error = if exact { 0.0 } else { (scaled / least(&mantissa) * UP + 1.0) * UP };
-        Self { mantissa, exponent: (self.exponent - up as i64) / 2, error }.cut()
+        let error = if exact {
+            0.0
+        } else {
+            (scaled / least(&mantissa) * UP + 1.0) * UP
+        };
+        Self {
+            mantissa,
+            exponent: (self.exponent - up as i64) / 2,
+            error,
+        }
+        .cut()
     }
 
     /// Whether the bound is finite.
@@ -175,10 +220,18 @@ impl Wide {
 
 impl Number for Wide {
     fn zero() -> Self {
-        Self { mantissa: IBig::ZERO, exponent: 0, error: 0.0 }
+        Self {
+            mantissa: IBig::ZERO,
+            exponent: 0,
+            error: 0.0,
+        }
     }
     fn from_i64(i: i64) -> Self {
-        Self { mantissa: IBig::from(i), exponent: 0, error: 0.0 }
+        Self {
+            mantissa: IBig::from(i),
+            exponent: 0,
+            error: 0.0,
+        }
     }
     fn plus(&self, o: &Self) -> Self {
         self.sum(o, false)
@@ -201,7 +254,11 @@ impl Number for Wide {
         .cut()
     }
     fn negated(&self) -> Self {
-        Self { mantissa: -&self.mantissa, exponent: self.exponent, error: self.error }
+        Self {
+            mantissa: -&self.mantissa,
+            exponent: self.exponent,
+            error: self.error,
+        }
     }
     fn sign(&self) -> Option<Sign> {
         if self.error <= 0.0 {
@@ -239,8 +296,12 @@ mod tests {
             let (u, v) = (Wide::sqrt_of(&UBig::from(r)), Wide::sqrt_of(&UBig::from(s)));
             let (x, y) = (Surd::sqrt_of(&UBig::from(r)), Surd::sqrt_of(&UBig::from(s)));
             // (a + b sqrt r)(c + d sqrt s) - (its rounded value), many times over
-            let p = wide(a).plus(&wide(b).times(&u)).times(&wide(c).plus(&wide(d).times(&v)));
-            let q = surd(a).plus(&surd(b).times(&x)).times(&surd(c).plus(&surd(d).times(&y)));
+            let p = wide(a)
+                .plus(&wide(b).times(&u))
+                .times(&wide(c).plus(&wide(d).times(&v)));
+            let q = surd(a)
+                .plus(&surd(b).times(&x))
+                .times(&surd(c).plus(&surd(d).times(&y)));
             let (p, q) = (p.times(&p).minus(&wide(c)), q.times(&q).minus(&surd(c)));
             match p.sign() {
                 Some(sign) => assert_eq!(Some(sign), q.sign(), "{a} {b} {c} {d} {r} {s}"),
@@ -255,15 +316,27 @@ mod tests {
         let mut state = 99;
         for _ in 0..2000 {
             let [a, b] = [random(&mut state), random(&mut state) | 1];
-            let (p, q) = (Wide::from_int(&IBig::from(a)), Wide::from_int(&IBig::from(b)));
+            let (p, q) = (
+                Wide::from_int(&IBig::from(a)),
+                Wide::from_int(&IBig::from(b)),
+            );
             // (a / b) b - a is zero, so its sign must not be claimed to be anything else.
             let back = p.div(&q).times(&q).minus(&p);
             assert!(matches!(back.sign(), None | Some(Sign::Zero)), "{a} / {b}");
             let root = Wide::sqrt_of(&UBig::from(a.unsigned_abs()));
-            let back = root.times(&root).minus(&Wide::from_int(&IBig::from(a).unsigned_abs().into()));
+            let back = root
+                .times(&root)
+                .minus(&Wide::from_int(&IBig::from(a).unsigned_abs().into()));
             assert!(matches!(back.sign(), None | Some(Sign::Zero)), "sqrt {a}");
             let near = p.plus(&Wide::from_i64(1)).div(&q).minus(&p.div(&q));
-            assert_eq!(near.sign(), Some(if b > 0 { Sign::Positive } else { Sign::Negative }));
+            assert_eq!(
+                near.sign(),
+                Some(if b > 0 {
+                    Sign::Positive
+                } else {
+                    Sign::Negative
+                })
+            );
         }
         assert!(!Wide::from_i64(1).div(&Wide::zero()).is_bounded());
     }

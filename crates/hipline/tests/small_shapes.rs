@@ -50,9 +50,19 @@ fn node_count(skeleton: &Skeleton) -> usize {
 
 fn whole_plane(figure: &Figure) -> Skeleton {
     let skeleton = figure.skeleton(Options::default().region(Region::Both));
-    let (n, m, t) = (figure.vertices().len(), figure.edges().len(), figure.terminals());
+    let (n, m, t) = (
+        figure.vertices().len(),
+        figure.edges().len(),
+        figure.terminals(),
+    );
     assert_eq!(skeleton.faces().len(), 2 * m + t, "faces");
-    assert_eq!(node_count(&skeleton), 2 * n + t - 2, "nodes: {:#?} {:#?}", skeleton.nodes(), skeleton.arcs());
+    assert_eq!(
+        node_count(&skeleton),
+        2 * n + t - 2,
+        "nodes: {:#?} {:#?}",
+        skeleton.nodes(),
+        skeleton.arcs()
+    );
     skeleton
 }
 
@@ -76,7 +86,14 @@ fn rectangle() {
 
 #[test]
 fn l_shape() {
-    let figure = polygon(&[&[[0.0, 0.0], [5.0, 0.0], [5.0, 5.0], [4.0, 5.0], [4.0, 4.0], [0.0, 4.0]]]);
+    let figure = polygon(&[&[
+        [0.0, 0.0],
+        [5.0, 0.0],
+        [5.0, 5.0],
+        [4.0, 5.0],
+        [4.0, 4.0],
+        [0.0, 4.0],
+    ]]);
     let skeleton = figure.skeleton(Options::default());
     assert_eq!(node_count(&skeleton), 4);
     whole_plane(&figure);

@@ -93,7 +93,14 @@ impl Figure {
         kinetic.stats.by_double_double = rungs.by_double_double;
         kinetic.stats.by_wide = rungs.by_wide;
         kinetic.stats.by_exact = rungs.by_exact;
-        assemble(self, &kinetic.planes, &kinetic.terminals, kinetic.front, region, kinetic.stats)
+        assemble(
+            self,
+            &kinetic.planes,
+            &kinetic.terminals,
+            kinetic.front,
+            region,
+            kinetic.stats,
+        )
     }
 }
 
@@ -120,8 +127,9 @@ impl Kinetic<'_> {
         while let Some(t) = self.queue.peek() {
             let other = self.queue.bounds(t).expect("the triangle is queued");
             let moment = self.agenda.moment(t);
-            let order =
-                bounds.compare(other).unwrap_or_else(|| self.agenda.compare(&self.planes, first, t));
+            let order = bounds
+                .compare(other)
+                .unwrap_or_else(|| self.agenda.compare(&self.planes, first, t));
             if order != Ordering::Equal {
                 break;
             }
@@ -133,7 +141,12 @@ impl Kinetic<'_> {
     }
 
     fn take(&mut self, t: TriangleId) {
-        let Self { queue, planes, agenda, .. } = self;
+        let Self {
+            queue,
+            planes,
+            agenda,
+            ..
+        } = self;
         queue.set(t, None, &|a, b| agenda.compare(planes, a, b));
         self.batch.work.push(t);
         self.batch.dirty.push(t);
@@ -152,15 +165,23 @@ impl Kinetic<'_> {
                     self.front.wave(trace.out),
                     self.now
                 );
-                let Self { batch, triangulation, .. } = self;
-                batch.dirty.extend(triangulation.fan(trace.out).map(|(t, _)| t));
+                let Self {
+                    batch,
+                    triangulation,
+                    ..
+                } = self;
+                batch
+                    .dirty
+                    .extend(triangulation.fan(trace.out).map(|(t, _)| t));
             }
         }
         self.batch.fresh = fresh;
         self.batch.fresh.clear();
         let mut dirty = std::mem::take(&mut self.batch.dirty);
         for t in dirty.drain(..) {
-            if std::mem::replace(&mut self.batch.scheduled[t.index()], self.batch.number) != self.batch.number {
+            if std::mem::replace(&mut self.batch.scheduled[t.index()], self.batch.number)
+                != self.batch.number
+            {
                 self.reschedule(t);
             }
         }
@@ -172,7 +193,13 @@ impl Kinetic<'_> {
         for i in 0..self.triangulation.len() {
             let t = TriangleId::new(i);
             if self.triangulation.is_alive(t) {
-                for wave in self.triangulation.get(t).across.iter().filter_map(|a| a.wave()) {
+                for wave in self
+                    .triangulation
+                    .get(t)
+                    .across
+                    .iter()
+                    .filter_map(|a| a.wave())
+                {
                     let [start, end] = self.triangulation.ends(wave);
                     self.front.vanishes(start, end);
                 }

@@ -47,7 +47,8 @@ impl Queue {
         entries: impl Iterator<Item = (TriangleId, Bounds)>,
         exact: &impl Fn(TriangleId, TriangleId) -> Ordering,
     ) {
-        self.heap.extend(entries.map(|(triangle, bounds)| Entry { bounds, triangle }));
+        self.heap
+            .extend(entries.map(|(triangle, bounds)| Entry { bounds, triangle }));
         for (i, entry) in self.heap.iter().enumerate() {
             self.position[entry.triangle.index()] = i as u32;
         }
@@ -66,7 +67,10 @@ impl Queue {
         match (self.position[t.index()], bounds) {
             (ABSENT, None) => {}
             (ABSENT, Some(bounds)) => {
-                self.heap.push(Entry { bounds, triangle: t });
+                self.heap.push(Entry {
+                    bounds,
+                    triangle: t,
+                });
                 let last = self.heap.len() - 1;
                 self.position[t.index()] = last as u32;
                 self.sift_up(last, exact);
@@ -91,7 +95,10 @@ impl Queue {
     }
 
     fn less(a: &Entry, b: &Entry, exact: &impl Fn(TriangleId, TriangleId) -> Ordering) -> bool {
-        a.bounds.compare(b.bounds).unwrap_or_else(|| exact(a.triangle, b.triangle)).is_lt()
+        a.bounds
+            .compare(b.bounds)
+            .unwrap_or_else(|| exact(a.triangle, b.triangle))
+            .is_lt()
     }
 
     fn sift_up(&mut self, mut i: usize, exact: &impl Fn(TriangleId, TriangleId) -> Ordering) {

@@ -84,7 +84,10 @@ impl Kinetic<'_> {
         // Sides that are wavefront edges are asked first: they share a plane with both of
         // their ends, which makes it cheap.
         for k in (0..3).filter(|&k| waves[k].is_some()) {
-            if self.compare_tips(triangle.tips[next(k)], triangle.tips[prev(k)]).is_eq() {
+            if self
+                .compare_tips(triangle.tips[next(k)], triangle.tips[prev(k)])
+                .is_eq()
+            {
                 return Shape::Zero(k);
             }
         }
@@ -106,7 +109,9 @@ impl Kinetic<'_> {
     }
 
     fn turn_at(&self, tip: Tip) -> Sign {
-        self.front.trace(tip.trace().expect("wavefront edges are finite")).turn
+        self.front
+            .trace(tip.trace().expect("wavefront edges are finite"))
+            .turn
     }
 
     /// How far a corner is ahead of the wavefront edge opposite it.
@@ -114,10 +119,11 @@ impl Kinetic<'_> {
         let plane = self.front.wave(wave).plane;
         match tip.trace() {
             Some(x) => self.planes.lead(&self.now, self.front.trace(x).pair, plane),
-            None => self.planes.heads(plane, tip.direction().expect("a direction")),
+            None => self
+                .planes
+                .heads(plane, tip.direction().expect("a direction")),
         }
     }
-
 
     /// What a triangle is, known to be flat.
     fn flat_shape(&self, t: TriangleId) -> Shape {
@@ -135,7 +141,10 @@ impl Kinetic<'_> {
         let side = [0, 1, 2].map(|k| self.compare_tips(tips[next(k)], tips[prev(k)]));
         let across = self.triangulation.get(t).across;
         let zero = |k: &usize| side[*k].is_eq();
-        if let Some(k) = (0..3).filter(zero).min_by_key(|&k| across[k].wave().is_none()) {
+        if let Some(k) = (0..3)
+            .filter(zero)
+            .min_by_key(|&k| across[k].wave().is_none())
+        {
             return Shape::Zero(k);
         }
         // Corner k is the middle one if its neighbours lie on different sides of it.
@@ -161,7 +170,11 @@ impl Kinetic<'_> {
             return Ordering::Equal;
         }
 
-        self.planes.compare_places(&self.now, self.front.trace(u).pair, self.front.trace(v).pair)
+        self.planes.compare_places(
+            &self.now,
+            self.front.trace(u).pair,
+            self.front.trace(v).pair,
+        )
     }
 
     /// Whether both were born at one node of this batch.
@@ -189,7 +202,10 @@ impl Kinetic<'_> {
         self.known_node(x).unwrap_or_else(|| {
             let pair = self.front.trace(x).pair;
             let Moment::Planes(moment) = self.now else {
-                panic!("{x} has an event at a moment that is not one of planes: {:?}", self.now)
+                panic!(
+                    "{x} has an event at a moment that is not one of planes: {:?}",
+                    self.now
+                )
             };
             self.front.push_node(EventNode { pair, moment })
         })
@@ -254,8 +270,8 @@ impl Kinetic<'_> {
     /// Side k of `t` has length zero.
     fn contract(&mut self, t: TriangleId, k: usize) {
         let triangle = *self.triangulation.get(t);
-        let [u, v] =
-            [triangle.tips[next(k)], triangle.tips[prev(k)]].map(|tip| tip.trace().expect("a finite corner"));
+        let [u, v] = [triangle.tips[next(k)], triangle.tips[prev(k)]]
+            .map(|tip| tip.trace().expect("a finite corner"));
         assert_ne!(u, v, "{t} has a side from {u} to itself");
         self.name_moment(|this| {
             meeting_moment(&this.planes, this.front.trace(u), this.front.trace(v))
@@ -289,7 +305,9 @@ impl Kinetic<'_> {
         self.front.end_moves(v, far);
         self.front.start_moves(u, far);
         let cut = |fan: &[(TriangleId, usize)], at: TriangleId| {
-            fan.iter().position(|&(f, _)| f == at).expect("a triangle at both ends of the spoke")
+            fan.iter()
+                .position(|&(f, _)| f == at)
+                .expect("a triangle at both ends of the spoke")
         };
         // Around u: first the triangles up to `other`, then those from `t` on; around v the
         // other way round.
@@ -310,7 +328,9 @@ impl Kinetic<'_> {
         self.triangulation.kill(t);
         self.batch.dirty.push(t);
         if let (Some(a), Some(b)) = (a.wave(), b.wave()) {
-            let w = triangle.tips[k].trace().expect("wavefront edges are finite");
+            let w = triangle.tips[k]
+                .trace()
+                .expect("wavefront edges are finite");
             self.close(x, w, a, b);
         } else if let Some(touched) = self.triangulation.glue(t, a, b) {
             self.batch.work.push(touched);
@@ -336,8 +356,11 @@ impl Kinetic<'_> {
     /// The corner opposite side k of `t` lies strictly inside the wavefront edge there.
     fn split(&mut self, t: TriangleId, k: usize, wave: WaveId) {
         let triangle = *self.triangulation.get(t);
-        let [w, u, v] =
-            [k, next(k), prev(k)].map(|i| triangle.tips[i].trace().expect("wavefront edges are finite"));
+        let [w, u, v] = [k, next(k), prev(k)].map(|i| {
+            triangle.tips[i]
+                .trace()
+                .expect("wavefront edges are finite")
+        });
         self.stats.split_events += 1;
         self.name_moment(|this| {
             let [i, j] = this.front.trace(w).pair;
@@ -358,7 +381,10 @@ impl Kinetic<'_> {
         self.front.end_moves(w, start);
         self.front.is_cut(end, start);
         self.front.trace_mut(v).inn = second;
-        let cut = fan.iter().position(|&(f, _)| f == t).expect("a triangle at its own corner");
+        let cut = fan
+            .iter()
+            .position(|&(f, _)| f == t)
+            .expect("a triangle at its own corner");
         self.relabel(&fan[..cut], end);
         self.relabel(&fan[cut + 1..], start);
         let (a, b) = (triangle.across[next(k)], triangle.across[prev(k)]);

@@ -121,7 +121,8 @@ impl Agenda {
     fn compare_wide(&self, planes: &Planes, a: TriangleId, b: TriangleId) -> Option<Ordering> {
         let mut wide = self.wide.borrow_mut();
         for t in [a, b] {
-            wide.entry(t).or_insert_with(|| planes.wide(&self.moments[t.index()]));
+            wide.entry(t)
+                .or_insert_with(|| planes.wide(&self.moments[t.index()]));
         }
         let difference = wide[&a].as_ref()?.minus(wide[&b].as_ref()?);
         difference.sign().map(Sign::ordering)
@@ -153,8 +154,17 @@ const NO_CLASS: u32 = u32::MAX;
 impl Kinetic<'_> {
     /// Finds the next collapse of a triangle and sets it in the queue.
     pub(super) fn reschedule(&mut self, t: TriangleId) {
-        let found = if self.triangulation.is_alive(t) { self.next_collapse(t) } else { None };
-        let Self { queue, planes, agenda, .. } = self;
+        let found = if self.triangulation.is_alive(t) {
+            self.next_collapse(t)
+        } else {
+            None
+        };
+        let Self {
+            queue,
+            planes,
+            agenda,
+            ..
+        } = self;
         queue.set(t, None, &|a, b| agenda.compare(planes, a, b));
         if let Some((moment, bounds)) = found {
             agenda.set(t, moment);
@@ -177,8 +187,10 @@ impl Kinetic<'_> {
         for k in 0..3 {
             let Some(wave) = waves[k] else { continue };
             let triple = collapse_planes(&self.triangulation, &self.front, wave);
-            let [start, end] = [triangle.tips[next(k)], triangle.tips[prev(k)]]
-                .map(|tip| self.front.trace(tip.trace().expect("wavefront edges are finite")));
+            let [start, end] = [triangle.tips[next(k)], triangle.tips[prev(k)]].map(|tip| {
+                self.front
+                    .trace(tip.trace().expect("wavefront edges are finite"))
+            });
             // The length is -(N + D t) times a number of the sign of both turns' product.
             if let Some(bounds) = self.planes.meeting_if(triple, start.turn * end.turn) {
                 best = Some(self.earlier(best, (Moment::of_planes(triple), bounds)));
@@ -202,17 +214,24 @@ impl Kinetic<'_> {
     /// The earlier one of two collapses of a triangle; the first, if they coincide.
     fn earlier(&self, a: Option<(Moment, Bounds)>, b: (Moment, Bounds)) -> (Moment, Bounds) {
         let Some(a) = a else { return b };
-        let order = a.1.compare(b.1).unwrap_or_else(|| self.planes.compare(&a.0, &b.0));
+        let order =
+            a.1.compare(b.1)
+                .unwrap_or_else(|| self.planes.compare(&a.0, &b.0));
         if order == Ordering::Greater { b } else { a }
     }
 
     /// When a triangle without a wavefront edge becomes flat.
     fn next_flat(&self, t: TriangleId) -> Option<(Moment, Bounds)> {
         let triangle = self.triangulation.get(t);
-        let traces = triangle.tips.map(|tip| tip.trace().map(|x| self.front.trace(x)));
+        let traces = triangle
+            .tips
+            .map(|tip| tip.trace().map(|x| self.front.trace(x)));
         // A corner that comes to lie between two others sees more than half a turn.
         if traces.iter().flatten().count() < 2
-            || traces.iter().flatten().all(|trace| trace.turn == Sign::Positive)
+            || traces
+                .iter()
+                .flatten()
+                .all(|trace| trace.turn == Sign::Positive)
         {
             return None;
         }
@@ -220,17 +239,25 @@ impl Kinetic<'_> {
         let bounds = self.planes.falling_root(&self.now, corners)?;
         // The ends of a spoke may meet: an event of the wavefront, at a moment of three planes.
         for k in 0..3 {
-            let (Some(u), Some(v)) = (traces[next(k)], traces[prev(k)]) else { continue };
+            let (Some(u), Some(v)) = (traces[next(k)], traces[prev(k)]) else {
+                continue;
+            };
             if !self.planes.paths_cross(u.pair, v.pair) {
                 continue;
             }
-            let Some(triple) = meeting_moment(&self.planes, u, v) else { continue };
+            let Some(triple) = meeting_moment(&self.planes, u, v) else {
+                continue;
+            };
             let meeting = Moment::of_planes(triple);
             let order = self.planes.bounds(&meeting).compare(bounds);
             if order.is_some_and(Ordering::is_ne) {
                 continue;
             }
-            if self.planes.compare(&meeting, &Moment::Root(corners)).is_eq() {
+            if self
+                .planes
+                .compare(&meeting, &Moment::Root(corners))
+                .is_eq()
+            {
                 return Some((meeting, self.planes.bounds(&meeting)));
             }
         }

@@ -104,8 +104,11 @@ impl<'a> Kinetic<'a> {
         }
         if outside {
             let place = |v: u32| self.figure.vertices()[v as usize];
-            let direction: Vec<usize> =
-                mesh.hull.iter().map(|edge| frame(place(edge.from), place(edge.to))).collect();
+            let direction: Vec<usize> = mesh
+                .hull
+                .iter()
+                .map(|edge| frame(place(edge.from), place(edge.to)))
+                .collect();
             for (i, edge) in mesh.hull.iter().enumerate() {
                 let id = self.triangulation.push(Triangle {
                     tips: [
@@ -132,7 +135,10 @@ impl<'a> Kinetic<'a> {
     /// triangle and before this one's.
     fn fill_corner(&mut self, first_hull: usize, i: usize, direction: &[usize]) {
         let j = (i + 1) % direction.len();
-        let (this, after) = (TriangleId::new(first_hull + i), TriangleId::new(first_hull + j));
+        let (this, after) = (
+            TriangleId::new(first_hull + i),
+            TriangleId::new(first_hull + j),
+        );
         let tip = self.triangulation.get(this).tips[1];
         let (mut last, mut side) = (after, 1);
         let turns = (direction[i] + 4 - direction[j]) % 4;
@@ -157,7 +163,10 @@ impl<'a> Kinetic<'a> {
             let face = 2 * e + u32::from(!left);
             let wave = self.triangulation.push_wave(t);
             self.triangulation.attach(t, k, wave.into());
-            self.front.waves.push(Wave { plane: PlaneId(face), face });
+            self.front.waves.push(Wave {
+                plane: PlaneId(face),
+                face,
+            });
         }
     }
 
@@ -170,10 +179,12 @@ impl<'a> Kinetic<'a> {
             let fan: Vec<_> = self.triangulation.fan(out).collect();
             let &(last, corner) = fan.last().expect("a wavefront edge bounds a triangle");
             let (first, at) = fan[0];
-            let vertex = self.triangulation.get(first).tips[at].trace().expect("a vertex");
-            let inn = self.triangulation.get(last).across[next(corner)].wave().unwrap_or_else(|| {
-                panic!("the sector at v{} has no second edge", vertex.index())
-            });
+            let vertex = self.triangulation.get(first).tips[at]
+                .trace()
+                .expect("a vertex");
+            let inn = self.triangulation.get(last).across[next(corner)]
+                .wave()
+                .unwrap_or_else(|| panic!("the sector at v{} has no second edge", vertex.index()));
             let faces = [inn, out].map(|w| self.front.wave(w).face);
             self.front.push_trace(Trace {
                 pair: faces.map(PlaneId),
@@ -236,7 +247,12 @@ impl<'a> Kinetic<'a> {
                 queued.push((t, bounds));
             }
         }
-        let Self { queue, planes, agenda, .. } = self;
+        let Self {
+            queue,
+            planes,
+            agenda,
+            ..
+        } = self;
         queue.fill(queued.into_iter(), &|a, b| agenda.compare(planes, a, b));
     }
 
@@ -284,9 +300,15 @@ impl<'a> Kinetic<'a> {
                 None => self.is_ahead(terminal, far.direction().expect("a direction")),
             }
         };
-        let cut = fan[..fan.len() - 1].iter().position(ahead).expect("some spoke points ahead");
+        let cut = fan[..fan.len() - 1]
+            .iter()
+            .position(ahead)
+            .expect("some spoke points ahead");
         let cap = self.triangulation.push_wave(fan[cut].0);
-        self.front.waves.push(Wave { plane: cap_plane, face: cap_face });
+        self.front.waves.push(Wave {
+            plane: cap_plane,
+            face: cap_face,
+        });
         // `x` becomes the first one, where the wavefront arrives; the second one is new.
         let second = self.front.push_trace(Trace {
             pair: [self.front.wave(trace.out).plane, cap_plane],
@@ -310,7 +332,8 @@ impl<'a> Kinetic<'a> {
             across: [cap.into(), before.into(), after.into()],
         });
         self.triangulation.attach(opened, 0, cap.into());
-        self.triangulation.attach(before, next(corner), opened.into());
+        self.triangulation
+            .attach(before, next(corner), opened.into());
         self.triangulation.attach(after, prev(other), opened.into());
     }
 
@@ -319,8 +342,16 @@ impl<'a> Kinetic<'a> {
         let Terminal { tip, inner, .. } = self.terminals[terminal];
         let [tip, inner] = [tip, inner].map(|v| self.figure.vertices()[v]);
         let [dx, dy] = direction.vector();
-        let order = if dx == 0 { tip[1].total_cmp(&inner[1]) } else { tip[0].total_cmp(&inner[0]) };
-        if dx + dy > 0 { order.is_gt() } else { order.is_lt() }
+        let order = if dx == 0 {
+            tip[1].total_cmp(&inner[1])
+        } else {
+            tip[0].total_cmp(&inner[0])
+        };
+        if dx + dy > 0 {
+            order.is_gt()
+        } else {
+            order.is_lt()
+        }
     }
 
     /// The planes of vertices beside wavefront edges that were overrun have changed.
@@ -328,7 +359,11 @@ impl<'a> Kinetic<'a> {
         for trace in &mut self.front.traces {
             if trace.end == End::Moving {
                 let [i, j] = [trace.inn, trace.out].map(|w| self.front.waves[w.index()].plane);
-                trace.pair = if trace.turn == Sign::Positive { [i, j] } else { [j, i] };
+                trace.pair = if trace.turn == Sign::Positive {
+                    [i, j]
+                } else {
+                    [j, i]
+                };
             }
         }
     }

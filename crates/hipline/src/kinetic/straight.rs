@@ -46,14 +46,21 @@ impl Kinetic<'_> {
     /// Compares the speeds of the wavefront edges before and after a straight vertex.
     fn speeds_at(&self, x: TraceId) -> Ordering {
         let trace = self.front.trace(x);
-        self.planes.compare_speeds(self.front.wave(trace.inn).plane, self.front.wave(trace.out).plane)
+        self.planes.compare_speeds(
+            self.front.wave(trace.inn).plane,
+            self.front.wave(trace.out).plane,
+        )
     }
 
     fn urgency(&self, x: TraceId, y: TraceId) -> Ordering {
         let fastest = |x: TraceId| {
             let trace = self.front.trace(x);
             let [a, b] = [trace.inn, trace.out].map(|w| self.front.wave(w).plane);
-            if self.planes.compare_speeds(a, b).is_ge() { a } else { b }
+            if self.planes.compare_speeds(a, b).is_ge() {
+                a
+            } else {
+                b
+            }
         };
         let joint = |x| self.speeds_at(x).is_eq();
         joint(x)
@@ -88,12 +95,18 @@ impl Kinetic<'_> {
             self.triangulation.flip(t, next(corner));
             self.stats.flips += 1;
             self.batch.dirty.extend([t, other]);
-            let kept = if self.triangulation.get(t).tips.contains(&p.into()) { t } else { other };
+            let kept = if self.triangulation.get(t).tips.contains(&p.into()) {
+                t
+            } else {
+                other
+            };
             fan[i] = (kept, self.triangulation.corner_of(kept, p.into()));
             fan.remove(i + 1);
             i = i.saturating_sub(1);
         }
-        let [(t, k), (gone, j)] = fan[..] else { panic!("{p} is straight and has one triangle") };
+        let [(t, k), (gone, j)] = fan[..] else {
+            panic!("{p} is straight and has one triangle")
+        };
         let start = self.triangulation.get(gone).tips[prev(j)];
         let far = self.triangulation.get(gone).across[j];
         self.triangulation.kill(gone);

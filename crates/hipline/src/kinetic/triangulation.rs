@@ -29,7 +29,11 @@ impl Tip {
     }
 
     pub(super) const fn trace(self) -> Option<TraceId> {
-        if self.0 < Self::FIRST_IDEAL { Some(TraceId::raw(self.0)) } else { None }
+        if self.0 < Self::FIRST_IDEAL {
+            Some(TraceId::raw(self.0))
+        } else {
+            None
+        }
     }
 
     pub(super) const fn direction(self) -> Option<Direction> {
@@ -66,7 +70,11 @@ impl Across {
     pub(super) const NOTHING: Self = Self(u32::MAX);
 
     pub(super) const fn triangle(self) -> Option<TriangleId> {
-        if self.0 & Self::WAVE == 0 { Some(TriangleId::raw(self.0)) } else { None }
+        if self.0 & Self::WAVE == 0 {
+            Some(TriangleId::raw(self.0))
+        } else {
+            None
+        }
     }
 
     pub(super) const fn wave(self) -> Option<WaveId> {
@@ -168,13 +176,18 @@ impl Triangulation {
     /// The side of `t` across which `what` lies.
     pub(super) fn side_to(&self, t: TriangleId, what: Across) -> usize {
         let across = &self.get(t).across;
-        across.iter().position(|&a| a == what).unwrap_or_else(|| panic!("{t} has no side to {what:?}"))
+        across
+            .iter()
+            .position(|&a| a == what)
+            .unwrap_or_else(|| panic!("{t} has no side to {what:?}"))
     }
 
     /// The corner of `t` that is `tip`.
     pub(super) fn corner_of(&self, t: TriangleId, tip: Tip) -> usize {
         let tips = &self.get(t).tips;
-        tips.iter().position(|&a| a == tip).unwrap_or_else(|| panic!("{t} has no corner {tip:?}"))
+        tips.iter()
+            .position(|&a| a == tip)
+            .unwrap_or_else(|| panic!("{t} has no corner {tip:?}"))
     }
 
     /// Puts `what` across side k of `t`, and `t` beside it.
@@ -208,12 +221,18 @@ impl Triangulation {
     /// to the one that enters it, with the vertex's corner in each.
     pub(super) fn fan(&self, out: WaveId) -> Fan<'_> {
         let (t, k) = self.beside(out);
-        Fan { triangulation: self, at: Some((t, next(k))) }
+        Fan {
+            triangulation: self,
+            at: Some((t, next(k))),
+        }
     }
 
     /// The triangles around a vertex from the given one on, counterclockwise.
     pub(super) fn fan_from(&self, t: TriangleId, corner: usize) -> Fan<'_> {
-        Fan { triangulation: self, at: Some((t, corner)) }
+        Fan {
+            triangulation: self,
+            at: Some((t, corner)),
+        }
     }
 
     /// The step of a fan: across the side that follows the corner counterclockwise.
@@ -226,15 +245,23 @@ impl Triangulation {
     /// Replaces the diagonal on side k of `t`. Returns the two new triangles, which keep
     /// the ids: `t` has the corners `[k, k+1, apex]`, the other `[k, apex, k+2]`.
     pub(super) fn flip(&mut self, t: TriangleId, k: usize) -> TriangleId {
-        let other = self.get(t).across[k].triangle().expect("only spokes are flipped");
+        let other = self.get(t).across[k]
+            .triangle()
+            .expect("only spokes are flipped");
         let j = self.side_to(other, t.into());
         let (a, b) = (*self.get(t), *self.get(other));
         let (p, q, r, s) = (a.tips[k], a.tips[next(k)], a.tips[prev(k)], b.tips[j]);
         // a = p q r, b = s r q; across q-s lies b's side opposite r, across s-r the one opposite q.
         let (pq, rp) = (a.across[prev(k)], a.across[next(k)]);
         let (qs, sr) = (b.across[next(j)], b.across[prev(j)]);
-        self.triangles[t.index()] = Triangle { tips: [p, q, s], across: [qs, other.into(), pq] };
-        self.triangles[other.index()] = Triangle { tips: [p, s, r], across: [sr, rp, t.into()] };
+        self.triangles[t.index()] = Triangle {
+            tips: [p, q, s],
+            across: [qs, other.into(), pq],
+        };
+        self.triangles[other.index()] = Triangle {
+            tips: [p, s, r],
+            across: [sr, rp, t.into()],
+        };
         self.redirect(qs, other, t, 0);
         self.redirect(rp, t, other, 1);
         self.redirect(pq, t, t, 2);

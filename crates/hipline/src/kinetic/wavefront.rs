@@ -149,7 +149,10 @@ impl Wavefront {
         let (a, b) = (self.node(a), self.node(b));
         let (low, high) = (a.min(b), a.max(b));
         if low != high {
-            assert!(low >= self.vertices, "nodes {low} and {high} are not at one time");
+            assert!(
+                low >= self.vertices,
+                "nodes {low} and {high} are not at one time"
+            );
             self.same[(high - self.vertices) as usize] = low - self.vertices;
         }
         low

@@ -14,7 +14,11 @@ pub(crate) fn minor<T: Rung>(i: &Plane<T>, j: &Plane<T>) -> T {
 /// `N = det [a b c]`, `D = det [a b s]`.
 #[inline]
 pub(crate) fn meeting<T: Rung>(planes: &Planes, [i, j, k]: [PlaneId; 3]) -> (T, T) {
-    let [i, j, k] = [T::plane(planes, i), T::plane(planes, j), T::plane(planes, k)];
+    let [i, j, k] = [
+        T::plane(planes, i),
+        T::plane(planes, j),
+        T::plane(planes, k),
+    ];
     let (jk, ki, ij) = (minor(&j, &k), minor(&k, &i), minor(&i, &j));
     (
         jk.times(&i.c).plus(&ki.times(&j.c)).plus(&ij.times(&k.c)),
@@ -117,7 +121,10 @@ pub(crate) fn area<T: Rung>(planes: &Planes, corners: [Corner; 3]) -> Quadratic<
     let [u, v, w] = corners.map(|c| Path::<T>::of(planes, c));
     let [vw, wu, uv] = [cross(&v, &w), cross(&w, &u), cross(&u, &v)];
     [0, 1, 2].map(|k| {
-        vw[k].times(&u.m).plus(&wu[k].times(&v.m)).plus(&uv[k].times(&w.m))
+        vw[k]
+            .times(&u.m)
+            .plus(&wu[k].times(&v.m))
+            .plus(&uv[k].times(&w.m))
     })
 }
 

@@ -141,9 +141,14 @@ impl<C: Curve> Question for SignAt<'_, C> {
 
     fn ask_exactly(&self, planes: &Planes) -> Sign {
         let Moment::Root(corners) = self.0 else {
-            return self.ask::<Surd>(planes).expect("exact numbers know their sign");
+            return self
+                .ask::<Surd>(planes)
+                .expect("exact numbers know their sign");
         };
-        let f = self.1.coefficients::<Surd>(planes).expect("exact numbers know their sign");
+        let f = self
+            .1
+            .coefficients::<Surd>(planes)
+            .expect("exact numbers know their sign");
         let g = area::<Surd>(planes, *corners);
         if g[2].sign() == Some(Sign::Zero) {
             // A line: t = -g0 / g1.
@@ -222,7 +227,10 @@ pub(crate) struct Bounds {
 
 impl Bounds {
     /// Time zero.
-    pub(crate) const START: Self = Self { low: 0.0, high: 0.0 };
+    pub(crate) const START: Self = Self {
+        low: 0.0,
+        high: 0.0,
+    };
 
     /// The order of two moments, where the bounds decide it.
     #[inline]
@@ -240,7 +248,11 @@ impl Bounds {
 }
 
 /// `-n / d` if it is a binary fraction that f64 holds exactly.
-#[expect(clippy::cast_possible_truncation, clippy::cast_precision_loss, reason = "integers below 2^53")]
+#[expect(
+    clippy::cast_possible_truncation,
+    clippy::cast_precision_loss,
+    reason = "integers below 2^53"
+)]
 fn exact_quotient(n: &Ball, d: &Ball) -> Option<f64> {
     if n.error() > 0.0 || d.error() > 0.0 {
         return None;
@@ -254,7 +266,11 @@ fn exact_quotient(n: &Ball, d: &Ball) -> Option<f64> {
 /// root is far away, and that is worth knowing.
 fn root_bounds(g: &Quadratic<BallDd>) -> Bounds {
     let disc = discriminant(g);
-    let root = if disc.upper() > 0.0 { disc.sqrt() } else { BallDd::zero() };
+    let root = if disc.upper() > 0.0 {
+        disc.sqrt()
+    } else {
+        BallDd::zero()
+    };
     let (n, d) = if g[1].value() <= 0.0 {
         (double(&g[0]), root.minus(&g[1]))
     } else {
@@ -263,7 +279,11 @@ fn root_bounds(g: &Quadratic<BallDd>) -> Bounds {
     // One rounding each, covered by one part in 2^50.
     let slack = f64::EPSILON * 4.0;
     let low = n.lower().max(0.0) / d.upper() * (1.0 - slack);
-    let high = if d.lower() > 0.0 { n.upper() / d.lower() * (1.0 + slack) } else { f64::INFINITY };
+    let high = if d.lower() > 0.0 {
+        n.upper() / d.lower() * (1.0 + slack)
+    } else {
+        f64::INFINITY
+    };
     Bounds {
         low: if low.is_finite() { low } else { 0.0 },
         high: if high.is_nan() { f64::INFINITY } else { high },
@@ -271,7 +291,11 @@ fn root_bounds(g: &Quadratic<BallDd>) -> Bounds {
 }
 
 /// The falling root of a polynomial if it is a binary fraction that f64 holds exactly.
-#[expect(clippy::cast_possible_truncation, clippy::cast_precision_loss, reason = "integers below 2^53")]
+#[expect(
+    clippy::cast_possible_truncation,
+    clippy::cast_precision_loss,
+    reason = "integers below 2^53"
+)]
 fn exact_root(g: &Quadratic<Ball>) -> Option<f64> {
     if g.iter().any(|c| c.error() > 0.0) {
         return None;
@@ -283,7 +307,11 @@ fn exact_root(g: &Quadratic<Ball>) -> Option<f64> {
         return None;
     }
     // 2 g0 / (root - g1), or where that is 0 / 0: (-root - g1) / 2 g2.
-    let (n, d) = if root == g1 { (-root - g1, 2 * g2) } else { (2 * g0, root - g1) };
+    let (n, d) = if root == g1 {
+        (-root - g1, 2 * g2)
+    } else {
+        (2 * g0, root - g1)
+    };
     if d == 0 || n.unsigned_abs() >= 1 << 53 || d.unsigned_abs() >= 1 << 53 {
         return None;
     }
@@ -345,11 +373,17 @@ impl Planes {
                 if let Some(t) = ball
                     && t.error() <= t.value().abs() * WIDE
                 {
-                    return Bounds { low: t.lower(), high: t.upper() };
+                    return Bounds {
+                        low: t.lower(),
+                        high: t.upper(),
+                    };
                 }
                 let g = area::<BallDd>(self, *corners);
                 match dd_root::falling_root(&g) {
-                    Some(t) => Bounds { low: t.lower(), high: t.upper() },
+                    Some(t) => Bounds {
+                        low: t.lower(),
+                        high: t.upper(),
+                    },
                     None => root_bounds(&g),
                 }
             }
@@ -362,14 +396,23 @@ impl Planes {
         }
         let t = n.negated().div(d);
         if t.error() <= t.value().abs() * WIDE {
-            return Bounds { low: t.lower(), high: t.upper() };
+            return Bounds {
+                low: t.lower(),
+                high: t.upper(),
+            };
         }
         let (n, d) = meeting::<BallDd>(self, triple);
         let t = n.negated().div(&d);
         if t.error().is_finite() {
-            Bounds { low: t.lower(), high: t.upper() }
+            Bounds {
+                low: t.lower(),
+                high: t.upper(),
+            }
         } else {
-            Bounds { low: 0.0, high: f64::INFINITY }
+            Bounds {
+                low: 0.0,
+                high: f64::INFINITY,
+            }
         }
     }
 
@@ -398,7 +441,11 @@ impl Planes {
             (Sign::Zero, Sign::Negative | Sign::Zero) => Ordering::Equal,
             // Rising: a concave curve falls later, a convex one fell before.
             (_, Sign::Positive) | (Sign::Positive, Sign::Zero) => {
-                if concave() { Ordering::Less } else { Ordering::Greater }
+                if concave() {
+                    Ordering::Less
+                } else {
+                    Ordering::Greater
+                }
             }
             // Below zero and not rising: past the root.
             (Sign::Negative, Sign::Negative | Sign::Zero) => Ordering::Greater,
@@ -420,7 +467,12 @@ impl Planes {
     }
 
     /// Compares the places of two vertices at a moment by x, then y.
-    pub(crate) fn compare_places(&self, moment: &Moment, u: [PlaneId; 2], v: [PlaneId; 2]) -> Ordering {
+    pub(crate) fn compare_places(
+        &self,
+        moment: &Moment,
+        u: [PlaneId; 2],
+        v: [PlaneId; 2],
+    ) -> Ordering {
         if self.coincide(moment, u, v) {
             return Ordering::Equal;
         }
@@ -491,15 +543,14 @@ impl Planes {
     pub(crate) fn falling_root(&self, now: &Moment, corners: [Corner; 3]) -> Option<Bounds> {
         let g = area::<Ball>(self, corners);
         let part = |part, ball: &Ball| {
-            ball.sign().unwrap_or_else(|| self.sign_of(&Area(corners, part)))
+            ball.sign()
+                .unwrap_or_else(|| self.sign_of(&Area(corners, part)))
         };
         let falls = || self.sign_at(now, &Area(corners, Part::Slope)).is_negative();
         let exists = match part(Part::Curvature, &g[2]) {
             Sign::Negative => true,
             Sign::Zero => falls(),
-            Sign::Positive => {
-                !part(Part::Discriminant, &discriminant(&g)).is_negative() && falls()
-            }
+            Sign::Positive => !part(Part::Discriminant, &discriminant(&g)).is_negative() && falls(),
         };
         exists.then(|| self.bounds(&Moment::Root(corners)))
     }
@@ -513,8 +564,11 @@ impl Curve for Between {
     #[inline]
     fn coefficients<T: Rung>(&self, planes: &Planes) -> Option<Quadratic<T>> {
         let (i, j) = (T::plane(planes, self.0), T::plane(planes, self.1));
-        let value =
-            if self.2 { i.a.times(&j.a).plus(&i.b.times(&j.b)) } else { minor(&i, &j) };
+        let value = if self.2 {
+            i.a.times(&j.a).plus(&i.b.times(&j.b))
+        } else {
+            minor(&i, &j)
+        };
         Some([value, T::zero(), T::zero()])
     }
 }
@@ -527,7 +581,11 @@ impl Curve for Heading {
     fn coefficients<T: Rung>(&self, planes: &Planes) -> Option<Quadratic<T>> {
         let plane = T::plane(planes, self.0);
         let [dx, dy] = self.1.vector().map(T::from_i64);
-        Some([plane.a.times(&dx).plus(&plane.b.times(&dy)), T::zero(), T::zero()])
+        Some([
+            plane.a.times(&dx).plus(&plane.b.times(&dy)),
+            T::zero(),
+            T::zero(),
+        ])
     }
 }
 

@@ -18,7 +18,11 @@ pub(crate) fn orientation(places: [Result<[f64; 2], Direction>; 3]) -> Sign {
         .unwrap_or(0);
     let scaled = |x: f64| {
         let (mantissa, exponent) = hipline_num::f64_to_parts(x);
-        if mantissa == IBig::ZERO { mantissa } else { mantissa << (exponent - unit) as usize }
+        if mantissa == IBig::ZERO {
+            mantissa
+        } else {
+            mantissa << (exponent - unit) as usize
+        }
     };
     let [p, q, r] = places.map(|place| match place {
         Ok([x, y]) => [scaled(x), scaled(y), IBig::ONE],

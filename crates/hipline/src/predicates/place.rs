@@ -1,7 +1,10 @@
 //! Places of nodes: their definitions, their order along an edge, their rounded coordinates.
 
 use dashu_int::IBig;
-use hipline_num::{BallDd, Number, Sign, Surd, compare_quotient_f64, f64_to_parts, round_ball_dd_plus, round_quotient_plus};
+use hipline_num::{
+    BallDd, Number, Sign, Surd, compare_quotient_f64, f64_to_parts, round_ball_dd_plus,
+    round_quotient_plus,
+};
 use std::cmp::Ordering;
 
 use super::{
@@ -15,19 +18,29 @@ pub(crate) enum Place {
     /// An input vertex, at time zero.
     Vertex([f64; 2]),
     /// The intersection of two planes at the moment when three planes meet.
-    Event { pair: [PlaneId; 2], moment: [PlaneId; 3] },
+    Event {
+        pair: [PlaneId; 2],
+        moment: [PlaneId; 3],
+    },
     /// The intersection of two planes at a given time.
     At { pair: [PlaneId; 2], time: f64 },
     /// Where the perpendicular to `plane`'s edge through the start of a ghost arc, itself a
     /// vertex or an event, reaches the boundary of the face.
-    Foot { start: Start, plane: PlaneId, bound: Bound },
+    Foot {
+        start: Start,
+        plane: PlaneId,
+        bound: Bound,
+    },
 }
 
 /// Where a ghost arc starts.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Start {
     Vertex([f64; 2]),
-    Event { pair: [PlaneId; 2], moment: [PlaneId; 3] },
+    Event {
+        pair: [PlaneId; 2],
+        moment: [PlaneId; 3],
+    },
 }
 
 impl From<Start> for Place {
@@ -63,7 +76,11 @@ fn input<T: Rung>(planes: &Planes, [x, y]: [f64; 2]) -> Point<T> {
     let coordinate = |x: f64, origin: f64| {
         let scaled = |x: f64| {
             let (mantissa, exponent) = f64_to_parts(x);
-            if mantissa == IBig::ZERO { mantissa } else { mantissa << (exponent - planes.unit) as usize }
+            if mantissa == IBig::ZERO {
+                mantissa
+            } else {
+                mantissa << (exponent - planes.unit) as usize
+            }
         };
         T::integer(&(scaled(x) - scaled(origin)), planes.shift)
     };
@@ -95,9 +112,19 @@ fn point<T: Rung>(planes: &Planes, place: &Place) -> Point<T> {
             let path = Path::<T>::new(planes, pair);
             let [time, since] = T::time(planes, time);
             let at = |z: &[T; 2]| z[0].times(&since).plus(&z[1].times(&time));
-            Point { x: at(&path.x), y: at(&path.y), w: path.m.times(&since), time, since }
+            Point {
+                x: at(&path.x),
+                y: at(&path.y),
+                w: path.m.times(&since),
+                time,
+                since,
+            }
         }
-        Place::Foot { start, plane, bound } => {
+        Place::Foot {
+            start,
+            plane,
+            bound,
+        } => {
             let plane = T::plane(planes, plane);
             // The coordinate of the start along the edge is p / q.
             let start = point::<T>(planes, &start.into());
@@ -112,7 +139,13 @@ fn point<T: Rung>(planes: &Planes, place: &Place) -> Point<T> {
                     let time = p.times(&m).minus(&u0.times(&q));
                     let since = u1.times(&q);
                     let at = |z: &[T; 2]| z[0].times(&since).plus(&z[1].times(&time));
-                    Point { x: at(&x), y: at(&y), w: m.times(&since), time, since }
+                    Point {
+                        x: at(&x),
+                        y: at(&y),
+                        w: m.times(&since),
+                        time,
+                        since,
+                    }
                 }
                 Bound::Level(moment) => {
                     let (n, d) = meeting::<T>(planes, moment);
@@ -181,7 +214,11 @@ impl Question for Drift {
     fn ask<T: Rung>(&self, planes: &Planes) -> Option<Sign> {
         let path = Path::<T>::new(planes, self.0);
         let plane = T::plane(planes, self.1);
-        plane.b.times(&path.x[1]).minus(&plane.a.times(&path.y[1])).sign()
+        plane
+            .b
+            .times(&path.x[1])
+            .minus(&plane.a.times(&path.y[1]))
+            .sign()
     }
 }
 
@@ -195,7 +232,10 @@ impl Question for Drifts {
             None => (T::zero(), T::from_i64(1)),
             Some(pair) => {
                 let path = Path::<T>::new(planes, pair);
-                (plane.b.times(&path.x[1]).minus(&plane.a.times(&path.y[1])), path.m)
+                (
+                    plane.b.times(&path.x[1]).minus(&plane.a.times(&path.y[1])),
+                    path.m,
+                )
             }
         });
         Some(u.times(&n).minus(&v.times(&m)).sign()? * m.sign()? * n.sign()?)
@@ -221,9 +261,19 @@ struct Ahead<'a>(&'a Place, PlaneId);
 
 impl Question for Ahead<'_> {
     fn ask<T: Rung>(&self, planes: &Planes) -> Option<Sign> {
-        let Point { x, y, w, time, since } = point::<T>(planes, self.0);
+        let Point {
+            x,
+            y,
+            w,
+            time,
+            since,
+        } = point::<T>(planes, self.0);
         let plane = T::plane(planes, self.1);
-        let reach = plane.a.times(&x).plus(&plane.b.times(&y)).minus(&plane.c.times(&w));
+        let reach = plane
+            .a
+            .times(&x)
+            .plus(&plane.b.times(&y))
+            .minus(&plane.c.times(&w));
         let value = reach.times(&since).minus(&plane.s.times(&time).times(&w));
         Some(value.sign()? * w.sign()? * since.sign()?)
     }
@@ -238,7 +288,10 @@ impl Planes {
 
     /// The sign of the area enclosed by cycles of places, unless it is too small to tell
     /// in double-double.
-    pub(crate) fn area_sign<'a>(&self, cycles: impl Iterator<Item = Vec<&'a Place>>) -> Option<Sign> {
+    pub(crate) fn area_sign<'a>(
+        &self,
+        cycles: impl Iterator<Item = Vec<&'a Place>>,
+    ) -> Option<Sign> {
         let mut sum = BallDd::zero();
         for cycle in cycles {
             let points: Vec<[BallDd; 2]> = cycle
@@ -248,7 +301,9 @@ impl Planes {
                     [x.div(&w), y.div(&w)]
                 })
                 .collect();
-            let Some(origin) = points.first() else { continue };
+            let Some(origin) = points.first() else {
+                continue;
+            };
             for pair in points.windows(2) {
                 let [p, q] = [0, 1].map(|k| [0, 1].map(|z| pair[k][z].minus(&origin[z])));
                 sum = sum.plus(&p[0].times(&q[1]).minus(&p[1].times(&q[0])));
@@ -259,7 +314,12 @@ impl Planes {
 
     /// Compares where a vertex will be in the end with a place, along the direction of a
     /// plane's wavefront edge.
-    pub(crate) fn compare_far(&self, pair: [PlaneId; 2], place: &Place, plane: PlaneId) -> Ordering {
+    pub(crate) fn compare_far(
+        &self,
+        pair: [PlaneId; 2],
+        place: &Place,
+        plane: PlaneId,
+    ) -> Ordering {
         match self.drift(pair, plane) {
             Sign::Zero => self.decide(&Beside(pair, place, plane)).ordering(),
             drift => drift.ordering(),
@@ -268,12 +328,20 @@ impl Planes {
 
     /// Compares two places along the direction of a plane's wavefront edge.
     pub(crate) fn compare_along(&self, p: &Place, q: &Place, plane: PlaneId) -> Ordering {
-        if p == q { Ordering::Equal } else { self.decide(&Order(p, q, Key::Along(plane))).ordering() }
+        if p == q {
+            Ordering::Equal
+        } else {
+            self.decide(&Order(p, q, Key::Along(plane))).ordering()
+        }
     }
 
     /// Compares the velocities of two vertices (`None`: at rest) along the direction of a
     /// plane's wavefront edge.
-    pub(crate) fn compare_drifts(&self, pairs: [Option<[PlaneId; 2]>; 2], plane: PlaneId) -> Ordering {
+    pub(crate) fn compare_drifts(
+        &self,
+        pairs: [Option<[PlaneId; 2]>; 2],
+        plane: PlaneId,
+    ) -> Ordering {
         self.decide(&Drifts(pairs, plane)).ordering()
     }
 
@@ -285,7 +353,11 @@ impl Planes {
 
     /// Compares the times of two places.
     pub(crate) fn compare_times(&self, p: &Place, q: &Place) -> Ordering {
-        if p == q { Ordering::Equal } else { self.decide(&Order(p, q, Key::Time)).ordering() }
+        if p == q {
+            Ordering::Equal
+        } else {
+            self.decide(&Order(p, q, Key::Time)).ordering()
+        }
     }
 
     /// Compares two places by x, then y.
@@ -319,9 +391,15 @@ impl Planes {
         }
         let exact = point::<Surd>(self, place);
         [
-            fast[0].unwrap_or_else(|| round_quotient_plus(&exact.x, &exact.w, self.unit, self.origin[0])),
-            fast[1].unwrap_or_else(|| round_quotient_plus(&exact.y, &exact.w, self.unit, self.origin[1])),
-            fast[2].unwrap_or_else(|| round_quotient_plus(&exact.time, &exact.since, self.time_unit, 0.0)),
+            fast[0].unwrap_or_else(|| {
+                round_quotient_plus(&exact.x, &exact.w, self.unit, self.origin[0])
+            }),
+            fast[1].unwrap_or_else(|| {
+                round_quotient_plus(&exact.y, &exact.w, self.unit, self.origin[1])
+            }),
+            fast[2].unwrap_or_else(|| {
+                round_quotient_plus(&exact.time, &exact.since, self.time_unit, 0.0)
+            }),
         ]
     }
 
@@ -329,10 +407,12 @@ impl Planes {
     pub(crate) fn round_velocity(&self, pair: [PlaneId; 2]) -> [f64; 2] {
         let velocity = |x: &dyn Fn() -> (Surd, Surd), near: (BallDd, BallDd)| {
             let unit = self.unit - self.time_unit;
-            round_ball_dd_plus(&near.0, &near.1, unit + self.speed_shift(), 0.0).unwrap_or_else(|| {
-                let (p, q) = x();
-                round_quotient_plus(&p, &q, unit, 0.0)
-            })
+            round_ball_dd_plus(&near.0, &near.1, unit + self.speed_shift(), 0.0).unwrap_or_else(
+                || {
+                    let (p, q) = x();
+                    round_quotient_plus(&p, &q, unit, 0.0)
+                },
+            )
         };
         let near = Path::<BallDd>::new(self, pair);
         let exact = || Path::<Surd>::new(self, pair);
@@ -352,10 +432,12 @@ impl Planes {
         let unit = self.unit - self.time_unit;
         let near = parts::<BallDd>(self, plane);
         [0, 1].map(|k| {
-            round_ball_dd_plus(&near[k], &near[2], unit + self.speed_shift(), 0.0).unwrap_or_else(|| {
-                let exact = parts::<Surd>(self, plane);
-                round_quotient_plus(&exact[k], &exact[2], unit, 0.0)
-            })
+            round_ball_dd_plus(&near[k], &near[2], unit + self.speed_shift(), 0.0).unwrap_or_else(
+                || {
+                    let exact = parts::<Surd>(self, plane);
+                    round_quotient_plus(&exact[k], &exact[2], unit, 0.0)
+                },
+            )
         })
     }
 }

@@ -25,7 +25,12 @@ pub(crate) struct PlaneId(pub u32);
 
 impl std::fmt::Debug for PlaneId {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        write!(f, "p{}{}", self.0 >> 1, if self.0 & 1 == 0 { 'l' } else { 'r' })
+        write!(
+            f,
+            "p{}{}",
+            self.0 >> 1,
+            if self.0 & 1 == 0 { 'l' } else { 'r' }
+        )
     }
 }
 
@@ -102,7 +107,12 @@ pub(crate) trait Rung: Number {
         if id.0 & 1 == 0 {
             Plane { a, b, c, s }
         } else {
-            Plane { a: a.negated(), b: b.negated(), c: c.negated(), s }
+            Plane {
+                a: a.negated(),
+                b: b.negated(),
+                c: c.negated(),
+                s,
+            }
         }
     }
 }
@@ -113,7 +123,10 @@ impl Rung for Ball {
         planes.balls[line]
     }
     fn time(planes: &Planes, time: f64) -> [Self; 2] {
-        [Self::from_f64(time).ldexp(-planes.rough_time_unit()), Self::from_i64(1)]
+        [
+            Self::from_f64(time).ldexp(-planes.rough_time_unit()),
+            Self::from_i64(1),
+        ]
     }
     fn falling_root(g: &Quadratic<Self>) -> Option<Self> {
         ball_root::falling_root(g)
@@ -131,7 +144,10 @@ impl Rung for Ball {
 
 impl Rung for BallDd {
     fn time(planes: &Planes, time: f64) -> [Self; 2] {
-        [Self::from_f64(time).ldexp(-planes.rough_time_unit()), Self::from_i64(1)]
+        [
+            Self::from_f64(time).ldexp(-planes.rough_time_unit()),
+            Self::from_i64(1),
+        ]
     }
     fn falling_root(g: &Quadratic<Self>) -> Option<Self> {
         dd_root::falling_root(g)
@@ -144,7 +160,9 @@ impl Rung for BallDd {
         if shift == 0 || *value == IBig::ZERO {
             return ball;
         }
-        let error = ball.error().max(ball.value().abs() * f64::EPSILON * f64::EPSILON);
+        let error = ball
+            .error()
+            .max(ball.value().abs() * f64::EPSILON * f64::EPSILON);
         let (hi, lo) = (ball.value(), ball.low());
         Self::new(hi, lo, error).ldexp(-shift)
     }
@@ -165,7 +183,12 @@ impl Rung for Wide {
     fn line(planes: &Planes, line: usize) -> [Self; 4] {
         let [a, b, c] = planes.lines[line].integers();
         let square = (&a * &a + &b * &b).unsigned_abs();
-        [Self::from_int(&a), Self::from_int(&b), Self::from_int(&c), Self::sqrt_of(&square)]
+        [
+            Self::from_int(&a),
+            Self::from_int(&b),
+            Self::from_int(&c),
+            Self::sqrt_of(&square),
+        ]
     }
     fn integer(value: &IBig, _shift: i32) -> Self {
         Self::from_int(value)
@@ -186,7 +209,12 @@ impl Rung for Surd {
     fn line(planes: &Planes, line: usize) -> [Self; 4] {
         let [a, b, c] = planes.lines[line].integers();
         let square = (&a * &a + &b * &b).unsigned_abs();
-        [Self::from_int(a), Self::from_int(b), Self::from_int(c), Self::sqrt_of(&square)]
+        [
+            Self::from_int(a),
+            Self::from_int(b),
+            Self::from_int(c),
+            Self::sqrt_of(&square),
+        ]
     }
     fn integer(value: &IBig, _shift: i32) -> Self {
         Self::from_int(value.clone())
@@ -215,14 +243,22 @@ fn small_root(square: u128) -> Option<u128> {
 }
 
 /// An integer in double-double, without its last `shift` binary digits.
-#[expect(clippy::cast_precision_loss, clippy::cast_possible_truncation, reason = "the rest is kept")]
+#[expect(
+    clippy::cast_precision_loss,
+    clippy::cast_possible_truncation,
+    reason = "the rest is kept"
+)]
 fn near(value: i128, shift: i32) -> BallDd {
     let high = value as f64;
     let rest = value - high as i128;
     let low = rest as f64;
     let lost = (rest - low as i128).unsigned_abs() as f64;
     // After a shift the value need not be an integer, which error 0 would claim.
-    let error = if shift == 0 || value == 0 { lost } else { lost.max(high.abs() * TINY) };
+    let error = if shift == 0 || value == 0 {
+        lost
+    } else {
+        lost.max(high.abs() * TINY)
+    };
     BallDd::new(high, low, error * 2.0).ldexp(-shift)
 }
 
@@ -231,7 +267,10 @@ const TINY: f64 = f64::EPSILON * f64::EPSILON;
 
 /// The enclosure in f64 of one in double-double.
 fn nearest(value: &BallDd) -> Ball {
-    Ball::new(value.value(), (value.low().abs() + value.error()) * (1.0 + 4.0 * f64::EPSILON))
+    Ball::new(
+        value.value(),
+        (value.low().abs() + value.error()) * (1.0 + 4.0 * f64::EPSILON),
+    )
 }
 
 /// Mantissa and exponent, the mantissa odd or zero.
@@ -239,14 +278,20 @@ fn parts(x: f64) -> (i64, i32) {
     let bits = x.to_bits();
     let exponent = ((bits >> 52) & 0x7ff) as i32;
     let fraction = (bits & ((1 << 52) - 1)) as i64;
-    let (mantissa, exponent) =
-        if exponent == 0 { (fraction, -1074) } else { (fraction | 1 << 52, exponent - 1075) };
+    let (mantissa, exponent) = if exponent == 0 {
+        (fraction, -1074)
+    } else {
+        (fraction | 1 << 52, exponent - 1075)
+    };
     if mantissa == 0 {
         return (0, 0);
     }
     let zeros = mantissa.trailing_zeros();
     let mantissa = mantissa >> zeros;
-    (if x < 0.0 { -mantissa } else { mantissa }, exponent + zeros as i32)
+    (
+        if x < 0.0 { -mantissa } else { mantissa },
+        exponent + zeros as i32,
+    )
 }
 
 /// The smallest exponent of the numbers, and the bit length of the largest over it.
@@ -259,17 +304,29 @@ fn common_unit(numbers: impl Iterator<Item = f64>) -> (i32, i32) {
             high = high.max(exponent + 64 - mantissa.unsigned_abs().leading_zeros() as i32);
         }
     }
-    if low == i32::MAX { (0, 0) } else { (low, high - low) }
+    if low == i32::MAX {
+        (0, 0)
+    } else {
+        (low, high - low)
+    }
 }
 
 fn scaled(x: f64, unit: i32) -> IBig {
     let (mantissa, exponent) = parts(x);
-    if mantissa == 0 { IBig::ZERO } else { IBig::from(mantissa) << (exponent - unit) as usize }
+    if mantissa == 0 {
+        IBig::ZERO
+    } else {
+        IBig::from(mantissa) << (exponent - unit) as usize
+    }
 }
 
 fn scaled_small(x: f64, unit: i32) -> i64 {
     let (mantissa, exponent) = parts(x);
-    if mantissa == 0 { 0 } else { mantissa << (exponent - unit) }
+    if mantissa == 0 {
+        0
+    } else {
+        mantissa << (exponent - unit)
+    }
 }
 
 fn gcd(mut a: u64, mut b: u64) -> u64 {
@@ -303,7 +360,13 @@ impl Planes {
             let values = || vertices.iter().map(|v| v[axis]);
             let low = values().min_by(f64::total_cmp).unwrap_or_default();
             let high = values().max_by(f64::total_cmp).unwrap_or_default();
-            if low > 0.0 { low } else if high < 0.0 { high } else { 0.0 }
+            if low > 0.0 {
+                low
+            } else if high < 0.0 {
+                high
+            } else {
+                0.0
+            }
         });
         let shift = if bits > 53 { bits - 30 } else { 0 };
         let mut planes = Self {
@@ -322,7 +385,12 @@ impl Planes {
             let origin = origin.map(|x| scaled_small(x, unit));
             let points: Vec<[i64; 2]> = vertices
                 .iter()
-                .map(|v| [scaled_small(v[0], unit) - origin[0], scaled_small(v[1], unit) - origin[1]])
+                .map(|v| {
+                    [
+                        scaled_small(v[0], unit) - origin[0],
+                        scaled_small(v[1], unit) - origin[1],
+                    ]
+                })
                 .collect();
             for edge in figure.edges() {
                 let [p, q] = [points[edge.from.index()], points[edge.to.index()]];
@@ -336,7 +404,12 @@ impl Planes {
             let origin = origin.map(|x| scaled(x, unit));
             let points: Vec<[IBig; 2]> = vertices
                 .iter()
-                .map(|v| [scaled(v[0], unit) - &origin[0], scaled(v[1], unit) - &origin[1]])
+                .map(|v| {
+                    [
+                        scaled(v[0], unit) - &origin[0],
+                        scaled(v[1], unit) - &origin[1],
+                    ]
+                })
                 .collect();
             for edge in figure.edges() {
                 let [p, q] = [&points[edge.from.index()], &points[edge.to.index()]];
@@ -362,8 +435,15 @@ impl Planes {
             edges.chain(terminals.iter().flat_map(|t| [t.speed, t.speed]))
         };
         let (unit, bits) = common_unit(all());
-        let shift = if bits > 20 || self.shift > 0 { (bits - 10).max(0) } else { 0 };
-        self.speeds = Some(Speeds { exact: all().map(|w| scaled(w, unit)).collect(), shift });
+        let shift = if bits > 20 || self.shift > 0 {
+            (bits - 10).max(0)
+        } else {
+            0
+        };
+        self.speeds = Some(Speeds {
+            exact: all().map(|w| scaled(w, unit)).collect(),
+            shift,
+        });
         self.time_unit = self.unit - unit;
     }
 
@@ -373,7 +453,11 @@ impl Planes {
         let c = i128::from(a) * i128::from(point[0]) + i128::from(b) * i128::from(point[1]);
         let square = u128::from(a.unsigned_abs()).pow(2) + u128::from(b.unsigned_abs()).pow(2);
         // The normal of an edge parallel to an axis has length one.
-        let root = if a == 0 || b == 0 { Some(1) } else { small_root(square) };
+        let root = if a == 0 || b == 0 {
+            Some(1)
+        } else {
+            small_root(square)
+        };
         let length = match root {
             Some(root) => near(root as i128, self.shift),
             None => near(square as i128, 2 * self.shift).sqrt(),
@@ -419,7 +503,11 @@ impl Planes {
         }
         let [a, b, c] = self.lines[(i.0 >> 1) as usize].integers();
         let [d, e, f] = self.lines[(j.0 >> 1) as usize].integers();
-        if i.0 & 1 == j.0 & 1 { a == d && b == e && c == f } else { a == -d && b == -e && c == -f }
+        if i.0 & 1 == j.0 & 1 {
+            a == d && b == e && c == f
+        } else {
+            a == -d && b == -e && c == -f
+        }
     }
 
     /// Which of two planes is the faster one?
@@ -482,6 +570,7 @@ pub(crate) trait Question {
 
     /// The answer in exact numbers, which never abstain.
     fn ask_exactly(&self, planes: &Planes) -> Sign {
-        self.ask::<Surd>(planes).expect("exact numbers know their sign")
+        self.ask::<Surd>(planes)
+            .expect("exact numbers know their sign")
     }
 }

@@ -37,12 +37,17 @@ impl Landings {
     /// The nodes inside of a trace.
     pub(super) fn cuts(&self, x: TraceId) -> impl Iterator<Item = &u32> {
         let from = self.cuts.partition_point(|&(trace, _)| trace < x);
-        self.cuts[from..].iter().take_while(move |&&(trace, _)| trace == x).map(|(_, node)| node)
+        self.cuts[from..]
+            .iter()
+            .take_while(move |&&(trace, _)| trace == x)
+            .map(|(_, node)| node)
     }
 
     /// The node where a ghost arc ends.
     pub(super) fn end(&self, ghost: TraceId) -> Option<u32> {
-        let at = self.ghosts.binary_search_by_key(&ghost, |landing| landing.ghost);
+        let at = self
+            .ghosts
+            .binary_search_by_key(&ghost, |landing| landing.ghost);
         self.ghosts[at.expect("every ghost lands")].end
     }
 }
@@ -96,8 +101,11 @@ impl Assembly<'_> {
         let mut found = Vec::with_capacity(groups.len());
         for group in groups.chunk_by(|a, b| a.0 == b.0) {
             let from = members.partition_point(|m| m.0 < group[0].0);
-            let faces: Vec<u32> =
-                members[from..].iter().take_while(|m| m.0 == group[0].0).map(|m| m.1).collect();
+            let faces: Vec<u32> = members[from..]
+                .iter()
+                .take_while(|m| m.0 == group[0].0)
+                .map(|m| m.1)
+                .collect();
             let ghosts: Vec<TraceId> = group.iter().map(|g| g.1).collect();
             let mut starts: Vec<Walk> = faces.into_iter().map(Walk::Base).collect();
             starts.extend(orphans.remove(&group[0].0).unwrap_or_default());
@@ -138,9 +146,16 @@ impl Assembly<'_> {
             }
             if let Walk::Up(x) | Walk::Down(x) = first {
                 let trace = *self.front.trace(x);
-                let wave = if first == Walk::Up(x) { trace.inn } else { trace.out };
+                let wave = if first == Walk::Up(x) {
+                    trace.inn
+                } else {
+                    trace.out
+                };
                 let face = self.front.wave(wave).face;
-                orphans.entry(self.front.joint_face(face)).or_default().push(first);
+                orphans
+                    .entry(self.front.joint_face(face))
+                    .or_default()
+                    .push(first);
             }
         }
         orphans
@@ -160,7 +175,8 @@ impl Assembly<'_> {
             let mut cycle = Vec::new();
             let mut walk = first;
             while done.insert(walk) {
-                if !matches!(walk, Walk::Up(x) | Walk::Down(x) if Self::is_void(self.front.trace(x))) {
+                if !matches!(walk, Walk::Up(x) | Walk::Down(x) if Self::is_void(self.front.trace(x)))
+                {
                     cycle.push(walk);
                 }
                 walk = self.after(walk);
@@ -195,7 +211,11 @@ impl Assembly<'_> {
             // A face without weights is monotone: its ceilings lie side by side, from high to
             // low, so one can stop a little after the last that comes into question.
             let monotone = self.planes.is_unweighted();
-            let from = if monotone { ceilings.partition_point(|c| c.low > at.1) } else { 0 };
+            let from = if monotone {
+                ceilings.partition_point(|c| c.low > at.1)
+            } else {
+                0
+            };
             let mut misses = 0;
             for ceiling in &ceilings[from..] {
                 if ceiling.high < at.0 {
@@ -205,7 +225,9 @@ impl Assembly<'_> {
                     }
                     continue;
                 }
-                let Some(hit) = self.meet_ceiling(born, ceiling, plane) else { continue };
+                let Some(hit) = self.meet_ceiling(born, ceiling, plane) else {
+                    continue;
+                };
                 let (at, may_start) = match &hit {
                     Hit::Node(node) => (*place(*node), false),
                     Hit::Inside(place) => (*place, true),
@@ -249,11 +271,22 @@ impl Assembly<'_> {
                     End::Ghost => continue,
                 };
                 if up && end.is_none() {
-                    let Walk::Down(_) = after else { unreachable!("a jump at infinity") };
+                    let Walk::Down(_) = after else {
+                        unreachable!("a jump at infinity")
+                    };
                     jumps.push((walk, after));
                 }
-                let ends = if up { [Some(trace.born), end] } else { [end, Some(trace.born)] };
-                let mut ceiling = Ceiling { walk, ends, high: f64::INFINITY, low: f64::NEG_INFINITY };
+                let ends = if up {
+                    [Some(trace.born), end]
+                } else {
+                    [end, Some(trace.born)]
+                };
+                let mut ceiling = Ceiling {
+                    walk,
+                    ends,
+                    high: f64::INFINITY,
+                    low: f64::NEG_INFINITY,
+                };
                 if let Some(node) = ends[0] {
                     ceiling.high = self.approximate(node, plane).1;
                 }
@@ -293,7 +326,9 @@ impl Assembly<'_> {
             // here, so no bounds.
             None
         });
-        let Some(edge) = edge else { return (f64::NEG_INFINITY, f64::INFINITY) };
+        let Some(edge) = edge else {
+            return (f64::NEG_INFINITY, f64::INFINITY);
+        };
         let vertices = self.figure.vertices();
         let (mut p, mut q) = (vertices[edge.from.index()], vertices[edge.to.index()]);
         if plane.0 % 2 == 1 {
@@ -323,11 +358,15 @@ impl Assembly<'_> {
             Some(Ordering::Equal) => return ceiling.ends[0].map(Hit::Node),
             _ => {}
         }
-        let (Walk::Up(x) | Walk::Down(x)) = ceiling.walk else { unreachable!("a trace") };
+        let (Walk::Up(x) | Walk::Down(x)) = ceiling.walk else {
+            unreachable!("a trace")
+        };
         let trace = self.front.trace(x);
         let [a, b] = [trace.inn, trace.out].map(|w| self.front.wave(w).plane);
         let bound = if self.planes.turn(a, b).is_zero() {
-            let [Some(node), _] = ceiling.ends else { unreachable!("level arcs are finite") };
+            let [Some(node), _] = ceiling.ends else {
+                unreachable!("level arcs are finite")
+            };
             match place(node) {
                 Place::Event { moment, .. } => Bound::Level(*moment),
                 _ => return Some(Hit::Start),
@@ -335,24 +374,36 @@ impl Assembly<'_> {
         } else {
             Bound::Pair(trace.pair)
         };
-        Some(Hit::Inside(Place::Foot { start: self.start_of(born), plane, bound }))
+        Some(Hit::Inside(Place::Foot {
+            start: self.start_of(born),
+            plane,
+            bound,
+        }))
     }
 
     /// The walk after which the boundary jumps, at infinity, over the perpendicular through
     /// a node.
-    fn jump_over<'j>(&self, jumps: &'j mut [(Walk, Walk)], born: u32, plane: PlaneId) -> &'j mut Walk {
+    fn jump_over<'j>(
+        &self,
+        jumps: &'j mut [(Walk, Walk)],
+        born: u32,
+        plane: PlaneId,
+    ) -> &'j mut Walk {
         let start = self.places[born as usize].as_ref().expect("a finite node");
         let far = |walk: Walk, sign: Ordering| {
-            let (Walk::Up(x) | Walk::Down(x)) = walk else { unreachable!("a trace") };
+            let (Walk::Up(x) | Walk::Down(x)) = walk else {
+                unreachable!("a trace")
+            };
             let trace = self.front.trace(x);
             // Ghost arcs are handled in order, so one that is there lies beyond this one.
-            trace.end == End::Ghost
-                || self.planes.compare_far(trace.pair, start, plane) == sign
+            trace.end == End::Ghost || self.planes.compare_far(trace.pair, start, plane) == sign
         };
         let jump = jumps
             .iter_mut()
             .find(|(right, left)| far(*right, Ordering::Greater) && far(*left, Ordering::Less));
-        &mut jump.unwrap_or_else(|| panic!("no way to infinity from node {born}")).0
+        &mut jump
+            .unwrap_or_else(|| panic!("no way to infinity from node {born}"))
+            .0
     }
 
     /// Makes nodes of the ends, one for each place.
@@ -360,7 +411,9 @@ impl Assembly<'_> {
         // Ends inside of traces, sorted along each trace.
         let mut inside: Vec<(TraceId, usize, Place)> = Vec::new();
         for (i, (ghost, hit, walk)) in found.iter().enumerate() {
-            let (Walk::Up(x) | Walk::Down(x)) = *walk else { unreachable!("a trace") };
+            let (Walk::Up(x) | Walk::Down(x)) = *walk else {
+                unreachable!("a trace")
+            };
             match hit {
                 Hit::Inside(place) => inside.push((x, i, *place)),
                 Hit::Start => {
@@ -373,7 +426,9 @@ impl Assembly<'_> {
         let planes = self.planes;
         inside.sort_by(|(x, _, p), (y, _, q)| {
             x.cmp(y).then_with(|| {
-                planes.compare_times(p, q).then_with(|| self.along_level(*x, p, q))
+                planes
+                    .compare_times(p, q)
+                    .then_with(|| self.along_level(*x, p, q))
             })
         });
         let mut ends = vec![None; found.len()];
@@ -381,7 +436,11 @@ impl Assembly<'_> {
         let mut last: Option<(TraceId, Place, u32)> = None;
         for &(x, i, place) in &inside {
             let node = match last {
-                Some((y, other, node)) if x == y && planes.compare_points(&place, &other).is_eq() => node,
+                Some((y, other, node))
+                    if x == y && planes.compare_points(&place, &other).is_eq() =>
+                {
+                    node
+                }
                 _ => {
                     // An arc of length zero: its face was overrun at the moment it started.
                     let born = self.front.trace(found[i].0).born;
@@ -401,8 +460,16 @@ impl Assembly<'_> {
         }
         let mut ghosts: Vec<Landing> = Vec::with_capacity(found.len());
         for (i, (ghost, hit, walk)) in found.into_iter().enumerate() {
-            let end = if let Hit::Node(node) = hit { Some(node) } else { ends[i] };
-            ghosts.push(Landing { ghost, end, on: walk });
+            let end = if let Hit::Node(node) = hit {
+                Some(node)
+            } else {
+                ends[i]
+            };
+            ghosts.push(Landing {
+                ghost,
+                end,
+                on: walk,
+            });
         }
         ghosts.sort_by_key(|landing| landing.ghost);
         Landings { ghosts, cuts }
@@ -411,11 +478,16 @@ impl Assembly<'_> {
     /// The order of two places on an arc of one height, along the arc.
     fn along_level(&self, x: TraceId, p: &Place, q: &Place) -> Ordering {
         let trace = self.front.trace(x);
-        let End::At(end) = trace.end else { return Ordering::Equal };
+        let End::At(end) = trace.end else {
+            return Ordering::Equal;
+        };
         let plane = self.front.wave(trace.inn).plane;
         let order = self.planes.compare_along(p, q, plane);
         let place = |node: u32| self.places[node as usize].as_ref().expect("a finite node");
-        match self.planes.compare_along(place(trace.born), place(end), plane) {
+        match self
+            .planes
+            .compare_along(place(trace.born), place(end), plane)
+        {
             Ordering::Greater => order.reverse(),
             _ => order,
         }
@@ -428,7 +500,9 @@ impl Assembly<'_> {
         // where they end in one node.
         for landing in &landings.ghosts {
             let Some(end) = landing.end else { continue };
-            let (Walk::Up(x) | Walk::Down(x)) = landing.on else { unreachable!("a trace") };
+            let (Walk::Up(x) | Walk::Down(x)) = landing.on else {
+                unreachable!("a trace")
+            };
             let up = landing.on == Walk::Up(x);
             let [first, after] = self.of_trace[x.index()].map(|p| p as usize);
             // The step of this walk that ends at the node, or the one before the walk.
@@ -449,12 +523,17 @@ impl Assembly<'_> {
             });
             self.insert(landing.ghost, arriving);
         }
-        let mut infinite: Vec<&Landing> =
-            landings.ghosts.iter().filter(|landing| landing.end.is_none()).collect();
+        let mut infinite: Vec<&Landing> = landings
+            .ghosts
+            .iter()
+            .filter(|landing| landing.end.is_none())
+            .collect();
         let mut placed = BTreeSet::new();
         while !infinite.is_empty() {
             infinite.retain(|landing| {
-                let (Walk::Up(x) | Walk::Down(x)) = landing.on else { unreachable!("a trace") };
+                let (Walk::Up(x) | Walk::Down(x)) = landing.on else {
+                    unreachable!("a trace")
+                };
                 if self.front.trace(x).end == End::Ghost && !placed.contains(&x) {
                     return true;
                 }

@@ -56,9 +56,17 @@ pub(crate) fn assemble(
     region: Region,
     stats: Stats,
 ) -> Skeleton {
-    let mut places: Vec<Option<Place>> =
-        figure.vertices().iter().map(|&v| Some(Place::Vertex(v))).collect();
-    places.extend(front.events.iter().map(|e| Some(Place::Event { pair: e.pair, moment: e.moment })));
+    let mut places: Vec<Option<Place>> = figure
+        .vertices()
+        .iter()
+        .map(|&v| Some(Place::Vertex(v)))
+        .collect();
+    places.extend(front.events.iter().map(|e| {
+        Some(Place::Event {
+            pair: e.pair,
+            moment: e.moment,
+        })
+    }));
     for i in 0..front.traces.len() {
         let born = front.node(front.traces[i].born);
         front.traces[i].born = born;
@@ -94,7 +102,11 @@ impl Assembly<'_> {
         self.cut_traces(&landings);
         self.link();
         self.insert_ghosts(&landings);
-        let idle = if self.planes.is_unweighted() { Vec::new() } else { self.idle_ghosts() };
+        let idle = if self.planes.is_unweighted() {
+            Vec::new()
+        } else {
+            self.idle_ghosts()
+        };
         if idle.is_empty() {
             return false;
         }
@@ -121,7 +133,11 @@ impl Assembly<'_> {
                 }
             }
         }
-        let ghosts = self.pieces.iter().enumerate().filter(|(_, piece)| piece.kind == ArcKind::Ghost);
+        let ghosts = self
+            .pieces
+            .iter()
+            .enumerate()
+            .filter(|(_, piece)| piece.kind == ArcKind::Ghost);
         ghosts
             .filter(|&(p, _)| cycle[2 * p] == cycle[2 * p + 1])
             .map(|(_, piece)| piece.trace)
@@ -153,7 +169,13 @@ impl Assembly<'_> {
             if !Self::is_void(&trace) {
                 let mut from = trace.born;
                 for &to in landings.cuts(id) {
-                    self.pieces.push(Piece { trace: id, from, to, kind, faces: [NO_FACE; 2] });
+                    self.pieces.push(Piece {
+                        trace: id,
+                        from,
+                        to,
+                        kind,
+                        faces: [NO_FACE; 2],
+                    });
                     from = to;
                 }
                 let to = match trace.end {
@@ -165,7 +187,13 @@ impl Assembly<'_> {
                     infinite.push(id);
                     (self.places.len() + infinite.len() - 1) as u32
                 });
-                self.pieces.push(Piece { trace: id, from, to, kind, faces: [NO_FACE; 2] });
+                self.pieces.push(Piece {
+                    trace: id,
+                    from,
+                    to,
+                    kind,
+                    faces: [NO_FACE; 2],
+                });
             }
             self.of_trace.push([first, self.pieces.len() as u32]);
         }
@@ -183,7 +211,11 @@ impl Assembly<'_> {
             let [first, end] = self.of_trace[x.index()];
             let up = walk == Walk::Up(x);
             if first < end {
-                return if up { 2 * first as usize } else { 2 * end as usize - 1 };
+                return if up {
+                    2 * first as usize
+                } else {
+                    2 * end as usize - 1
+                };
             }
             let trace = self.front.trace(x);
             walk = if up { trace.after_up } else { trace.after_down };
@@ -223,7 +255,11 @@ impl Assembly<'_> {
             return match edges.get(face / 2) {
                 Some(edge) => {
                     let ends = [edge.from.index() as u32, edge.to.index() as u32];
-                    if face % 2 == 0 { ends } else { [ends[1], ends[0]] }
+                    if face % 2 == 0 {
+                        ends
+                    } else {
+                        [ends[1], ends[0]]
+                    }
                 }
                 None => {
                     // A terminal: its base is the node before which the next step starts.
@@ -233,7 +269,11 @@ impl Assembly<'_> {
             };
         }
         let piece = &self.pieces[step / 2];
-        if step % 2 == 0 { [piece.from, piece.to] } else { [piece.to, piece.from] }
+        if step % 2 == 0 {
+            [piece.from, piece.to]
+        } else {
+            [piece.to, piece.from]
+        }
     }
 
     /// Walks around the boundary that a step is on.
@@ -256,13 +296,27 @@ impl Assembly<'_> {
             if self.front.after_base[face as usize] == Walk::Open {
                 continue;
             }
-            order.push(match terminals.get((face as usize).wrapping_sub(2 * edges.len())) {
-                Some(terminal) => {
-                    let first = edges[terminal.edge].from.index() == terminal.tip;
-                    (terminal.edge as u32, if first { Side::Start } else { Side::End }, face)
-                }
-                None => (face / 2, if face % 2 == 0 { Side::Left } else { Side::Right }, face),
-            });
+            order.push(
+                match terminals.get((face as usize).wrapping_sub(2 * edges.len())) {
+                    Some(terminal) => {
+                        let first = edges[terminal.edge].from.index() == terminal.tip;
+                        (
+                            terminal.edge as u32,
+                            if first { Side::Start } else { Side::End },
+                            face,
+                        )
+                    }
+                    None => (
+                        face / 2,
+                        if face % 2 == 0 {
+                            Side::Left
+                        } else {
+                            Side::Right
+                        },
+                        face,
+                    ),
+                },
+            );
         }
         order.sort_unstable();
         let mut number = vec![NO_FACE; self.front.after_base.len()];
@@ -276,7 +330,11 @@ impl Assembly<'_> {
         let mut inner = self.inner_cycles(&order, &mut seen);
         for &(edge, side, face) in &order {
             let first = cycles.len() as u32 - 1;
-            self.read_cycle(self.base_from + face as usize, number[face as usize], &mut corners);
+            self.read_cycle(
+                self.base_from + face as usize,
+                number[face as usize],
+                &mut corners,
+            );
             cycles.push(corners.len() as u32);
             for start in inner.remove(&face).unwrap_or_default() {
                 self.read_cycle(start, number[face as usize], &mut corners);
@@ -343,7 +401,11 @@ impl Assembly<'_> {
     /// The face that a boundary without a base lies in.
     fn home(&mut self, orphan: Step, order: &[(u32, Side, u32)]) -> u32 {
         let trace = *self.front.trace(self.pieces[orphan / 2].trace);
-        let wave = *self.front.wave(if orphan % 2 == 0 { trace.inn } else { trace.out });
+        let wave = *self.front.wave(if orphan % 2 == 0 {
+            trace.inn
+        } else {
+            trace.out
+        });
         let joint = self.front.joint_face(wave.face);
         let mut members: Vec<u32> = order.iter().map(|&(.., face)| face).collect();
         members.retain(|&face| self.front.joint_face(face) == joint);
@@ -353,9 +415,17 @@ impl Assembly<'_> {
         let node = self
             .around(orphan)
             .map(|step| self.ends(step)[0])
-            .find(|&node| matches!(self.places[node as usize], Some(Place::Event { .. } | Place::Vertex(_))))
+            .find(|&node| {
+                matches!(
+                    self.places[node as usize],
+                    Some(Place::Event { .. } | Place::Vertex(_))
+                )
+            })
             .expect("a boundary has an event on it");
-        let home = members.iter().copied().find(|&face| self.contains(face, node, wave.plane));
+        let home = members
+            .iter()
+            .copied()
+            .find(|&face| self.contains(face, node, wave.plane));
         home.unwrap_or_else(|| panic!("node {node} lies in no face of its plane"))
     }
 
@@ -371,7 +441,9 @@ impl Assembly<'_> {
                     Some(start) if piece.kind == ArcKind::Ghost => {
                         self.planes.compare_along(start, &here, plane)
                     }
-                    _ => self.planes.compare_far(self.front.trace(piece.trace).pair, &here, plane),
+                    _ => self
+                        .planes
+                        .compare_far(self.front.trace(piece.trace).pair, &here, plane),
                 }
             }
         };
@@ -393,7 +465,11 @@ impl Assembly<'_> {
                     Some(Bound::Pair(trace.pair))
                 };
                 bound.is_none_or(|bound| {
-                    let foot = Place::Foot { start: self.start_of(node), plane, bound };
+                    let foot = Place::Foot {
+                        start: self.start_of(node),
+                        plane,
+                        bound,
+                    };
                     self.planes.compare_times(&foot, &here).is_lt()
                 })
             };
@@ -435,7 +511,12 @@ impl Assembly<'_> {
         let mut nodes: Vec<Node> = Vec::with_capacity(self.places.len());
         for (v, &[x, y]) in self.figure.vertices().iter().enumerate() {
             number[v] = v as u32;
-            nodes.push(Node { x, y, time: 0.0, kind: NodeKind::Input(VertexId::new(v)) });
+            nodes.push(Node {
+                x,
+                y,
+                time: 0.0,
+                kind: NodeKind::Input(VertexId::new(v)),
+            });
         }
         for piece in &self.pieces {
             for node in [piece.from, piece.to] {
@@ -446,17 +527,29 @@ impl Assembly<'_> {
                 nodes.push(match &self.places[node as usize] {
                     Some(place) => {
                         let [x, y, time] = self.planes.round(place);
-                        Node { x, y, time, kind: NodeKind::Event }
+                        Node {
+                            x,
+                            y,
+                            time,
+                            kind: NodeKind::Event,
+                        }
                     }
                     None => {
                         let from = nodes[number[piece.from as usize] as usize];
                         let direction = self.velocity(piece.trace);
-                        Node { time: f64::INFINITY, kind: NodeKind::Infinite { direction }, ..from }
+                        Node {
+                            time: f64::INFINITY,
+                            kind: NodeKind::Infinite { direction },
+                            ..from
+                        }
                     }
                 });
             }
         }
-        debug_assert!(number[..vertices].iter().all(|&n| n != UNUSED), "vertices come first");
+        debug_assert!(
+            number[..vertices].iter().all(|&n| n != UNUSED),
+            "vertices come first"
+        );
         (nodes, number)
     }
 
@@ -464,7 +557,8 @@ impl Assembly<'_> {
     fn velocity(&self, x: TraceId) -> [f64; 2] {
         let trace = self.front.trace(x);
         if trace.end == End::Ghost {
-            self.planes.round_normal_velocity(self.front.wave(trace.inn).plane)
+            self.planes
+                .round_normal_velocity(self.front.wave(trace.inn).plane)
         } else {
             self.planes.round_velocity(trace.pair)
         }
