@@ -33,7 +33,7 @@ use crate::{
     topology::{TraceId, TriangleId},
 };
 use queue::Queue;
-pub(crate) use setup::terminals;
+use schedule::Agenda;
 use triangulation::Triangulation;
 pub(crate) use wavefront::{End, Trace, Walk, Wavefront};
 
@@ -46,7 +46,7 @@ struct Kinetic<'a> {
     front: Wavefront,
     queue: Queue,
     /// For each triangle in the queue, when it collapses.
-    moments: Vec<Moment>,
+    agenda: Agenda,
     now: Moment,
     batch: Batch,
     stats: Stats,
@@ -113,13 +113,14 @@ impl Kinetic<'_> {
     fn begin_batch(&mut self, first: TriangleId) {
         self.batch.number += 1;
         self.batch.first_node = self.front.vertices + self.front.events.len() as u32;
-        self.now = self.moments[first.index()];
+        self.now = self.agenda.moment(first);
         let bounds = self.queue.bounds(first).expect("the triangle is queued");
         self.take(first);
         while let Some(t) = self.queue.peek() {
             let other = self.queue.bounds(t).expect("the triangle is queued");
-            let moment = self.moments[t.index()];
-            let order = bounds.compare(other).unwrap_or_else(|| self.planes.compare(&self.now, &moment));
+            let moment = self.agenda.moment(t);
+            let order =
+                bounds.compare(other).unwrap_or_else(|| self.agenda.compare(&self.planes, first, t));
             if order != Ordering::Equal {
                 break;
             }
@@ -131,8 +132,8 @@ impl Kinetic<'_> {
     }
 
     fn take(&mut self, t: TriangleId) {
-        let Self { queue, planes, moments, .. } = self;
-        queue.set(t, None, &schedule::exact_order(planes, moments));
+        let Self { queue, planes, agenda, .. } = self;
+        queue.set(t, None, &|a, b| agenda.compare(planes, a, b));
         self.batch.work.push(t);
         self.batch.dirty.push(t);
     }

@@ -81,41 +81,43 @@ impl Kinetic<'_> {
     fn shape(&self, t: TriangleId) -> Shape {
         let triangle = self.triangulation.get(t);
         let waves = [0, 1, 2].map(|k| triangle.across[k].wave());
-        // With one wavefront edge, and its opposite corner off its line, the area is that of
-        // a triangle with the edge as base.
-        let apex = match waves {
-            [Some(wave), None, None] => Some((0, wave)),
-            [None, Some(wave), None] => Some((1, wave)),
-            [None, None, Some(wave)] => Some((2, wave)),
-            _ => None,
-        };
-        if let Some((k, wave)) = apex {
-            let [start, end] = [triangle.tips[next(k)], triangle.tips[prev(k)]];
-            if self.compare_tips(start, end).is_eq() {
+        // Sides that are wavefront edges are asked first: they share a plane with both of
+        // their ends, which makes it cheap.
+        for k in (0..3).filter(|&k| waves[k].is_some()) {
+            if self.compare_tips(triangle.tips[next(k)], triangle.tips[prev(k)]).is_eq() {
                 return Shape::Zero(k);
             }
-            let plane = self.front.wave(wave).plane;
-            let ahead = match triangle.tips[k].trace() {
-                Some(x) => self.planes.lead(&self.now, self.front.trace(x).pair, plane),
-                None => {
-                    let direction = triangle.tips[k].direction().expect("a direction");
-                    self.planes.heads(plane, direction)
-                }
-            };
-            match ahead {
-                Sign::Positive => return Shape::Solid,
-                Sign::Zero => {}
-                Sign::Negative => panic!("{:?} is behind {wave} at {:?}", triangle.tips[k], self.now),
-            }
-        } else {
-            match self.area_now(triangle.tips) {
-                Sign::Positive => return Shape::Solid,
-                Sign::Zero => {}
-                Sign::Negative => panic!("{t} {triangle:?} is inside out at {:?}", self.now),
-            }
         }
-        self.flat_shape(t)
+        let sign = match waves {
+            [None, None, None] => self.area_now(triangle.tips),
+            [Some(wave), None, None] => self.height_now(triangle.tips[0], wave),
+            [None, Some(wave), None] => self.height_now(triangle.tips[1], wave),
+            [None, None, Some(wave)] => self.height_now(triangle.tips[2], wave),
+            // Between two wavefront edges of positive length the angle decides.
+            [None, _, _] => self.turn_at(triangle.tips[0]),
+            [_, None, _] => self.turn_at(triangle.tips[1]),
+            [_, _, _] => self.turn_at(triangle.tips[2]),
+        };
+        match sign {
+            Sign::Positive => Shape::Solid,
+            Sign::Zero => self.flat_shape(t),
+            Sign::Negative => panic!("{t} {triangle:?} is inside out at {:?}", self.now),
+        }
     }
+
+    fn turn_at(&self, tip: Tip) -> Sign {
+        self.front.trace(tip.trace().expect("wavefront edges are finite")).turn
+    }
+
+    /// How far a corner is ahead of the wavefront edge opposite it.
+    fn height_now(&self, tip: Tip, wave: WaveId) -> Sign {
+        let plane = self.front.wave(wave).plane;
+        match tip.trace() {
+            Some(x) => self.planes.lead(&self.now, self.front.trace(x).pair, plane),
+            None => self.planes.heads(plane, tip.direction().expect("a direction")),
+        }
+    }
+
 
     /// What a triangle is, known to be flat.
     fn flat_shape(&self, t: TriangleId) -> Shape {
@@ -144,6 +146,11 @@ impl Kinetic<'_> {
     /// The sign of a triangle's area now.
     pub(super) fn area_now(&self, tips: [Tip; 3]) -> Sign {
         let corners = tips.map(|tip| corner(&self.front, tip));
+        if let Moment::Root(flat) = self.now
+            && flat.iter().all(|c| corners.contains(c))
+        {
+            return Sign::Zero;
+        }
         self.planes.sign_at(&self.now, &Area(corners, Part::Value))
     }
 

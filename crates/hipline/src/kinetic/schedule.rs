@@ -1,6 +1,9 @@
 //! When does a triangle collapse next?
 
-use std::cmp::Ordering;
+use std::{
+    cell::{Cell, RefCell},
+    cmp::Ordering,
+};
 
 use super::{
     Kinetic,
@@ -9,7 +12,7 @@ use super::{
 };
 use crate::predicates::{Bounds, Corner, Moment, PlaneId, Planes};
 use crate::topology::{TriangleId, WaveId};
-use hipline_num::Sign;
+use hipline_num::{BallDd, Number, Sign};
 
 /// The planes whose meeting makes a wavefront edge vanish.
 fn collapse_planes(triangulation: &Triangulation, front: &Wavefront, wave: WaveId) -> [PlaneId; 3] {
@@ -34,23 +37,107 @@ pub(super) fn meeting_moment(planes: &Planes, u: &Trace, v: &Trace) -> Option<[P
         .find(|&triple| !u.pair.contains(&triple[2]) && planes.do_meet(triple))
 }
 
-/// The exact order of two queued triangles.
-pub(super) fn exact_order<'a>(
-    planes: &'a Planes,
-    moments: &'a [Moment],
-) -> impl Fn(TriangleId, TriangleId) -> Ordering + 'a {
-    move |a, b| planes.compare(&moments[a.index()], &moments[b.index()])
+/// The moments of the queued triangles, with what has been found out about their order.
+#[derive(Debug, Default)]
+pub(super) struct Agenda {
+    moments: Vec<Moment>,
+    /// The moments in double-double, found when first asked for.
+    fine: Vec<Cell<Option<BallDd>>>,
+    /// Moments with one root of this forest are known to be equal.
+    class: Vec<Cell<u32>>,
+    parents: RefCell<Vec<u32>>,
 }
+
+impl Agenda {
+    pub(super) fn new(triangles: usize) -> Self {
+        Self {
+            moments: vec![Moment::Start; triangles],
+            fine: vec![Cell::new(None); triangles],
+            class: vec![Cell::new(NO_CLASS); triangles],
+            parents: RefCell::default(),
+        }
+    }
+
+    pub(super) fn moment(&self, t: TriangleId) -> Moment {
+        self.moments[t.index()]
+    }
+
+    pub(super) fn set(&mut self, t: TriangleId, moment: Moment) {
+        let i = t.index();
+        self.moments[i] = moment;
+        self.fine[i].set(None);
+        self.class[i].set(NO_CLASS);
+    }
+
+    fn fine(&self, planes: &Planes, t: TriangleId) -> BallDd {
+        let cell = &self.fine[t.index()];
+        cell.get().unwrap_or_else(|| {
+            let value = planes.fine(&self.moments[t.index()]);
+            cell.set(Some(value));
+            value
+        })
+    }
+
+    fn root(&self, t: TriangleId) -> u32 {
+        let mut i = self.class[t.index()].get();
+        if i == NO_CLASS {
+            return NO_CLASS;
+        }
+        let mut parents = self.parents.borrow_mut();
+        while parents[i as usize] != i {
+            let up = parents[parents[i as usize] as usize];
+            parents[i as usize] = up;
+            i = up;
+        }
+        self.class[t.index()].set(i);
+        i
+    }
+
+    fn unite(&self, a: TriangleId, b: TriangleId) {
+        let (i, j) = (self.root(a), self.root(b));
+        match (i, j) {
+            (NO_CLASS, NO_CLASS) => {
+                let mut parents = self.parents.borrow_mut();
+                let new = parents.len() as u32;
+                parents.push(new);
+                self.class[a.index()].set(new);
+                self.class[b.index()].set(new);
+            }
+            (NO_CLASS, j) => self.class[a.index()].set(j),
+            (i, NO_CLASS) => self.class[b.index()].set(i),
+            (i, j) => self.parents.borrow_mut()[i as usize] = j,
+        }
+    }
+
+    /// The exact order of two queued triangles whose bounds do not decide it.
+    pub(super) fn compare(&self, planes: &Planes, a: TriangleId, b: TriangleId) -> Ordering {
+        let difference = self.fine(planes, a).minus(&self.fine(planes, b));
+        if let Some(sign) = difference.sign() {
+            return sign.ordering();
+        }
+        let root = self.root(a);
+        if root != NO_CLASS && root == self.root(b) {
+            return Ordering::Equal;
+        }
+        let order = planes.compare(&self.moments[a.index()], &self.moments[b.index()]);
+        if order.is_eq() {
+            self.unite(a, b);
+        }
+        order
+    }
+}
+
+const NO_CLASS: u32 = u32::MAX;
 
 impl Kinetic<'_> {
     /// Finds the next collapse of a triangle and sets it in the queue.
     pub(super) fn reschedule(&mut self, t: TriangleId) {
         let found = if self.triangulation.is_alive(t) { self.next_collapse(t) } else { None };
-        let Self { queue, planes, moments, .. } = self;
-        queue.set(t, None, &exact_order(planes, moments));
+        let Self { queue, planes, agenda, .. } = self;
+        queue.set(t, None, &|a, b| agenda.compare(planes, a, b));
         if let Some((moment, bounds)) = found {
-            moments[t.index()] = moment;
-            queue.set(t, Some(bounds), &exact_order(planes, moments));
+            agenda.set(t, moment);
+            queue.set(t, Some(bounds), &|a, b| agenda.compare(planes, a, b));
         }
     }
 

@@ -8,7 +8,7 @@
 use super::{
     Batch, Kinetic,
     queue::Queue,
-    schedule::exact_order,
+    schedule::Agenda,
     triangulation::{Across, Tip, Triangle, Triangulation, next, prev},
     wavefront::{End, Trace, Walk, Wave, Wavefront},
 };
@@ -19,30 +19,6 @@ use crate::{
     topology::{TraceId, TriangleId, WaveId},
 };
 use hipline_num::Sign;
-
-/// The vertices of degree one, in order.
-pub(crate) fn terminals(figure: &Figure) -> Vec<Terminal> {
-    if figure.terminals() == 0 {
-        return Vec::new();
-    }
-    let mut degree = vec![0_u8; figure.vertices().len()];
-    for edge in figure.edges() {
-        for v in [edge.from, edge.to] {
-            degree[v.index()] = (degree[v.index()] + 1).min(2);
-        }
-    }
-    let mut list = Vec::with_capacity(figure.terminals());
-    for (e, edge) in figure.edges().iter().enumerate() {
-        for (tip, inner) in [(edge.from, edge.to), (edge.to, edge.from)] {
-            if degree[tip.index()] == 1 {
-                let speed = edge.speeds[0].max(edge.speeds[1]);
-                list.push(Terminal { tip: tip.index(), inner: inner.index(), edge: e, speed });
-            }
-        }
-    }
-    list.sort_unstable_by_key(|terminal| terminal.tip);
-    list
-}
 
 /// In which of the four directions the outside of a hull edge is framed: one that is
 /// strictly ahead of it, and turns with the hull.
@@ -62,7 +38,7 @@ fn frame(from: [f64; 2], to: [f64; 2]) -> usize {
 impl<'a> Kinetic<'a> {
     /// The state at time zero, terminals and straight vertices not yet treated.
     pub(super) fn new(figure: &'a Figure, region: Region) -> Self {
-        let terminals = terminals(figure);
+        let terminals = Terminal::all(figure);
         let planes = Planes::new(figure, &terminals);
         let faces = 2 * figure.edges().len() + terminals.len();
         let mut kinetic = Self {
@@ -72,7 +48,7 @@ impl<'a> Kinetic<'a> {
             triangulation: Triangulation::default(),
             front: Wavefront::new(figure.vertices().len(), faces),
             queue: Queue::default(),
-            moments: Vec::new(),
+            agenda: Agenda::default(),
             now: Moment::Start,
             batch: Batch::default(),
             stats: Stats::default(),
@@ -249,19 +225,19 @@ impl<'a> Kinetic<'a> {
         self.batch.fresh.clear();
         let n = self.triangulation.len();
         self.queue.reset(n);
-        self.moments = vec![Moment::Start; n];
+        self.agenda = Agenda::new(n);
         self.batch.scheduled = vec![0; n];
         let mut queued: Vec<(TriangleId, Bounds)> = Vec::with_capacity(n);
         for t in (0..n).map(TriangleId::new) {
             if self.triangulation.is_alive(t)
                 && let Some((moment, bounds)) = self.next_collapse(t)
             {
-                self.moments[t.index()] = moment;
+                self.agenda.set(t, moment);
                 queued.push((t, bounds));
             }
         }
-        let Self { queue, planes, moments, .. } = self;
-        queue.fill(queued.into_iter(), &exact_order(planes, moments));
+        let Self { queue, planes, agenda, .. } = self;
+        queue.fill(queued.into_iter(), &|a, b| agenda.compare(planes, a, b));
     }
 
     /// The plane of terminal number `i`.

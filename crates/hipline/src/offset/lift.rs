@@ -5,8 +5,7 @@
 
 use crate::{
     input::Figure,
-    kinetic::terminals,
-    predicates::{Bound, Place, PlaneId, Planes, Start},
+    predicates::{Bound, Place, PlaneId, Planes, Start, Terminal},
     skeleton::{ArcKind, NodeKind, Side, Skeleton},
     topology::{ArcId, FaceId, NodeId},
 };
@@ -34,7 +33,7 @@ impl<'a> Lift<'a> {
                 .zip(&skeleton.input().edges)
                 .all(|(e, f)| [e.from, e.to] == *f);
         assert!(same, "the skeleton is not that of this figure");
-        let terminals = terminals(figure);
+        let terminals = Terminal::all(figure);
         Self {
             skeleton,
             planes: Planes::new(figure, &terminals),

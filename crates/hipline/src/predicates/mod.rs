@@ -4,13 +4,17 @@
 //! output; [`Bounds`] only ever saves asking.
 
 mod expression;
+mod heading;
 mod moment;
 mod orientation;
 mod place;
 mod planes;
+mod terminal;
 
 pub(crate) use expression::{Corner, Direction};
+pub(crate) use heading::{Course, Heading};
 pub(crate) use moment::{Area, Bounds, Moment, Part};
 pub(crate) use orientation::orientation;
 pub(crate) use place::{Bound, Place, Start};
-pub(crate) use planes::{PlaneId, Planes, Terminal};
+pub(crate) use planes::{PlaneId, Planes};
+pub(crate) use terminal::Terminal;

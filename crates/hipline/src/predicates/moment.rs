@@ -230,6 +230,27 @@ fn exact_quotient(n: &Ball, d: &Ball) -> Option<f64> {
     (n % odd == 0).then(|| -(n as f64) / d as f64)
 }
 
+/// The falling root of a polynomial if it is a binary fraction that f64 holds exactly.
+#[expect(clippy::cast_possible_truncation, clippy::cast_precision_loss, reason = "integers below 2^53")]
+fn exact_root(g: &Quadratic<Ball>) -> Option<f64> {
+    if g.iter().any(|c| c.error() > 0.0) {
+        return None;
+    }
+    let [g0, g1, g2] = g.each_ref().map(|c| c.value() as i128);
+    let square = g1 * g1 - 4 * g2 * g0;
+    let root = square.isqrt();
+    if root * root != square {
+        return None;
+    }
+    // 2 g0 / (root - g1), or where that is 0 / 0: (-root - g1) / 2 g2.
+    let (n, d) = if root == g1 { (-root - g1, 2 * g2) } else { (2 * g0, root - g1) };
+    if d == 0 || n.unsigned_abs() >= 1 << 53 || d.unsigned_abs() >= 1 << 53 {
+        return None;
+    }
+    let odd = d >> d.trailing_zeros();
+    (n % odd == 0).then(|| n as f64 / d as f64)
+}
+
 impl Planes {
     /// The sign of a curve at a moment.
     #[inline]
@@ -242,6 +263,19 @@ impl Planes {
         self.decide(&SignAt(&Moment::Start, curve))
     }
 
+    /// A moment that exists, in double-double.
+    pub(crate) fn fine(&self, moment: &Moment) -> BallDd {
+        match moment {
+            Moment::Start => BallDd::zero(),
+            Moment::Planes(triple) => {
+                let (n, d) = meeting::<BallDd>(self, *triple);
+                n.negated().div(&d)
+            }
+            Moment::Root(corners) => dd_root::falling_root(&area(self, *corners))
+                .unwrap_or_else(|| BallDd::new(0.0, 0.0, f64::INFINITY)),
+        }
+    }
+
     /// Bounds of a moment that exists.
     pub(crate) fn bounds(&self, moment: &Moment) -> Bounds {
         let everything = Bounds { low: 0.0, high: f64::INFINITY };
@@ -252,7 +286,11 @@ impl Planes {
                 self.bounds_of_meeting(*triple, &n, &d)
             }
             Moment::Root(corners) => {
-                let ball = ball_root::falling_root(&area(self, *corners));
+                let g = area::<Ball>(self, *corners);
+                if let Some(t) = exact_root(&g) {
+                    return Bounds { low: t, high: t };
+                }
+                let ball = ball_root::falling_root(&g);
                 if let Some(t) = ball
                     && t.error() <= t.value().abs() * WIDE
                 {

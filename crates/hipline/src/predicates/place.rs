@@ -216,7 +216,47 @@ impl Question for Beside<'_> {
     }
 }
 
+/// How far a place is ahead of a plane.
+struct Ahead<'a>(&'a Place, PlaneId);
+
+impl Question for Ahead<'_> {
+    fn ask<T: Rung>(&self, planes: &Planes) -> Option<Sign> {
+        let Point { x, y, w, time, since } = point::<T>(planes, self.0);
+        let plane = T::plane(planes, self.1);
+        let reach = plane.a.times(&x).plus(&plane.b.times(&y)).minus(&plane.c.times(&w));
+        let value = reach.times(&since).minus(&plane.s.times(&time).times(&w));
+        Some(value.sign()? * w.sign()? * since.sign()?)
+    }
+}
+
 impl Planes {
+    /// Whether a place is ahead of a plane at its time: positive where the plane's
+    /// wavefront edge has not been yet, zero on it.
+    pub(crate) fn ahead(&self, place: &Place, plane: PlaneId) -> Sign {
+        self.decide(&Ahead(place, plane))
+    }
+
+    /// The sign of the area enclosed by cycles of places, unless it is too small to tell
+    /// in double-double.
+    pub(crate) fn area_sign<'a>(&self, cycles: impl Iterator<Item = Vec<&'a Place>>) -> Option<Sign> {
+        let mut sum = BallDd::zero();
+        for cycle in cycles {
+            let points: Vec<[BallDd; 2]> = cycle
+                .iter()
+                .map(|place| {
+                    let Point { x, y, w, .. } = point::<BallDd>(self, place);
+                    [x.div(&w), y.div(&w)]
+                })
+                .collect();
+            let Some(origin) = points.first() else { continue };
+            for pair in points.windows(2) {
+                let [p, q] = [0, 1].map(|k| [0, 1].map(|z| pair[k][z].minus(&origin[z])));
+                sum = sum.plus(&p[0].times(&q[1]).minus(&p[1].times(&q[0])));
+            }
+        }
+        sum.sign()
+    }
+
     /// Compares where a vertex will be in the end with a place, along the direction of a
     /// plane's wavefront edge.
     pub(crate) fn compare_far(&self, pair: [PlaneId; 2], place: &Place, plane: PlaneId) -> Ordering {

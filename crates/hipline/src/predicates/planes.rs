@@ -11,6 +11,7 @@ use hipline_num::{Ball, BallDd, Number, Rungs, Sign, Surd, f64_to_parts};
 use std::cell::Cell;
 
 use super::{
+    Terminal,
     expression::Quadratic,
     moment::{ball_root, dd_root},
 };
@@ -66,6 +67,7 @@ struct Speeds {
 pub(crate) struct Planes {
     lines: Vec<Line>,
     balls: Vec<[Ball; 4]>,
+    doubles: Vec<[BallDd; 4]>,
     /// `None`: every speed is one.
     speeds: Option<Speeds>,
     /// Binary digits of the coordinates dropped in the approximations.
@@ -135,18 +137,7 @@ impl Rung for BallDd {
         dd_root::falling_root(g)
     }
     fn line(planes: &Planes, line: usize) -> [Self; 4] {
-        let [a, b, c] = planes.lines[line].integers();
-        let square = IBig::from(&a * &a + &b * &b);
-        let root = match exact_root(&square.clone().unsigned_abs()) {
-            Some(root) => Self::integer(&IBig::from(root), planes.shift),
-            None => Self::integer(&square, 2 * planes.shift).sqrt(),
-        };
-        [
-            Self::integer(&a, planes.shift),
-            Self::integer(&b, planes.shift),
-            Self::integer(&c, 2 * planes.shift),
-            root,
-        ]
+        planes.doubles[line]
     }
     fn integer(value: &IBig, shift: i32) -> Self {
         let ball = Self::from_int(value);
@@ -182,17 +173,42 @@ impl Rung for Surd {
 /// The root of a perfect square.
 fn exact_root(square: &UBig) -> Option<UBig> {
     if let Ok(small) = u128::try_from(square) {
-        // Squares end in one of twelve patterns of six bits.
-        const RESIDUES: u64 = 0x0202_0212_0203_0213;
-        if RESIDUES >> (small & 63) & 1 == 0 {
-            return None;
-        }
-        let root = small.isqrt();
-        return (root * root == small).then(|| UBig::from(root));
+        return small_root(small).map(UBig::from);
     }
     use dashu_int::ops::SquareRoot;
     let root = square.sqrt();
     (&root * &root == *square).then_some(root)
+}
+
+/// The root of a perfect square.
+fn small_root(square: u128) -> Option<u128> {
+    // Squares end in one of twelve patterns of six bits.
+    const RESIDUES: u64 = 0x0202_0212_0203_0213;
+    if RESIDUES >> (square & 63) & 1 == 0 {
+        return None;
+    }
+    let root = square.isqrt();
+    (root * root == square).then_some(root)
+}
+
+/// An integer in double-double, without its last `shift` binary digits.
+#[expect(clippy::cast_precision_loss, clippy::cast_possible_truncation, reason = "the rest is kept")]
+fn near(value: i128, shift: i32) -> BallDd {
+    let high = value as f64;
+    let rest = value - high as i128;
+    let low = rest as f64;
+    let lost = (rest - low as i128).unsigned_abs() as f64;
+    // After a shift the value need not be an integer, which error 0 would claim.
+    let error = if shift == 0 || value == 0 { lost } else { lost.max(high.abs() * TINY) };
+    BallDd::new(high, low, error * 2.0).ldexp(-shift)
+}
+
+/// One part in 2^104.
+const TINY: f64 = f64::EPSILON * f64::EPSILON;
+
+/// The enclosure in f64 of one in double-double.
+fn nearest(value: &BallDd) -> Ball {
+    Ball::new(value.value(), (value.low().abs() + value.error()) * (1.0 + 4.0 * f64::EPSILON))
 }
 
 /// Mantissa and exponent, the mantissa odd or zero.
@@ -263,6 +279,7 @@ impl Planes {
         let mut planes = Self {
             lines: Vec::with_capacity(figure.edges().len() + terminals.len()),
             balls: Vec::with_capacity(figure.edges().len() + terminals.len()),
+            doubles: Vec::with_capacity(figure.edges().len() + terminals.len()),
             speeds: None,
             shift,
             unit,
@@ -324,41 +341,42 @@ impl Planes {
         let g = gcd(a.unsigned_abs(), b.unsigned_abs()) as i64;
         let (a, b) = (a / g, b / g);
         let c = i128::from(a) * i128::from(point[0]) + i128::from(b) * i128::from(point[1]);
-        if self.shift == 0 && a.abs() < 1 << 26 && b.abs() < 1 << 26 && c.abs() < 1 << 53 {
-            let square = (a * a + b * b) as u64;
-            let root = square.isqrt();
-            #[expect(clippy::cast_precision_loss, reason = "below 2^53")]
-            let exact = |i: i64| Ball::new(i as f64, 0.0);
-            let length =
-                if root * root == square { exact(root as i64) } else { exact(square as i64).sqrt() };
-            self.balls.push([exact(a), exact(b), exact(c as i64), length]);
-            self.lines.push(Line::Small { a, b, c });
-            return;
-        }
-        self.push(Line::Small { a, b, c });
+        let square = u128::from(a.unsigned_abs()).pow(2) + u128::from(b.unsigned_abs()).pow(2);
+        // The normal of an edge parallel to an axis has length one.
+        let root = if a == 0 || b == 0 { Some(1) } else { small_root(square) };
+        let length = match root {
+            Some(root) => near(root as i128, self.shift),
+            None => near(square as i128, 2 * self.shift).sqrt(),
+        };
+        let doubles = [
+            near(a.into(), self.shift),
+            near(b.into(), self.shift),
+            near(c, 2 * self.shift),
+            length,
+        ];
+        self.balls.push(doubles.each_ref().map(nearest));
+        self.doubles.push(doubles);
+        self.lines.push(Line::Small { a, b, c });
     }
 
     fn push_big(&mut self, a: IBig, b: IBig, point: &[IBig; 2]) {
         let g = IBig::from((&a).gcd(&b));
         let (a, b) = (a / &g, b / &g);
         let c = &a * &point[0] + &b * &point[1];
-        self.push(Line::Big(Box::new([a, b, c])));
-    }
-
-    fn push(&mut self, line: Line) {
-        let [a, b, c] = line.integers();
         let square = &a * &a + &b * &b;
         let length = match exact_root(&square.clone().unsigned_abs()) {
-            Some(root) => Ball::integer(&IBig::from(root), self.shift),
-            None => Ball::integer(&square, 2 * self.shift).sqrt(),
+            Some(root) => BallDd::integer(&IBig::from(root), self.shift),
+            None => BallDd::integer(&square, 2 * self.shift).sqrt(),
         };
-        self.balls.push([
-            Ball::integer(&a, self.shift),
-            Ball::integer(&b, self.shift),
-            Ball::integer(&c, 2 * self.shift),
+        let doubles = [
+            BallDd::integer(&a, self.shift),
+            BallDd::integer(&b, self.shift),
+            BallDd::integer(&c, 2 * self.shift),
             length,
-        ]);
-        self.lines.push(line);
+        ];
+        self.balls.push(doubles.each_ref().map(nearest));
+        self.doubles.push(doubles);
+        self.lines.push(Line::Big(Box::new([a, b, c])));
     }
 
     /// The same plane: the same line, side and speed.
@@ -433,17 +451,4 @@ pub(crate) trait Question {
     fn ask_exactly(&self, planes: &Planes) -> Sign {
         self.ask::<Surd>(planes).expect("exact numbers know their sign")
     }
-}
-
-/// A vertex of degree one.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct Terminal {
-    /// The vertex.
-    pub tip: usize,
-    /// The other end of its edge.
-    pub inner: usize,
-    /// The edge.
-    pub edge: usize,
-    /// The speed of its wavefront edge: the larger of the two of its edge.
-    pub speed: f64,
 }

@@ -3,7 +3,9 @@
 mod assemble;
 mod model;
 mod stats;
+mod verify;
 
 pub(crate) use assemble::assemble;
 pub use model::{Arc, ArcKind, Face, InputGraph, Node, NodeKind, Options, Region, Side, Skeleton};
 pub use stats::Stats;
+pub use verify::{Violation, Violations};

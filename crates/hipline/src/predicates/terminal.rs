@@ -1,0 +1,47 @@
+//! Vertices of degree one, which emit a wavefront edge of their own.
+
+use crate::input::Figure;
+
+/// A vertex of degree one.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Terminal {
+    /// The vertex.
+    pub tip: usize,
+    /// The other end of its edge.
+    pub inner: usize,
+    /// The edge.
+    pub edge: usize,
+    /// The speed of its wavefront edge: the larger of the two of its edge.
+    pub speed: f64,
+}
+
+impl Terminal {
+    /// All terminals of a figure, in the order of their vertices: the order of their planes.
+    pub(crate) fn all(figure: &Figure) -> Vec<Self> {
+        if figure.terminals() == 0 {
+            return Vec::new();
+        }
+        let mut degree = vec![0_u8; figure.vertices().len()];
+        for edge in figure.edges() {
+            for v in [edge.from, edge.to] {
+                degree[v.index()] = (degree[v.index()] + 1).min(2);
+            }
+        }
+        let mut list = Vec::with_capacity(figure.terminals());
+        for (e, edge) in figure.edges().iter().enumerate() {
+            for (tip, inner) in [(edge.from, edge.to), (edge.to, edge.from)] {
+                if degree[tip.index()] == 1 {
+                    let speed = edge.speeds[0].max(edge.speeds[1]);
+                    list.push(Self {
+                        tip: tip.index(),
+                        inner: inner.index(),
+                        edge: e,
+                        speed,
+                    });
+                }
+            }
+        }
+        list.sort_unstable_by_key(|terminal| terminal.tip);
+        list
+    }
+}
