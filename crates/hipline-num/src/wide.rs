@@ -180,6 +180,7 @@ impl Wide {
             }
             // The root of something between 0 and high.
             let odd = self.exponent.rem_euclid(2);
+            #[expect(clippy::disallowed_methods, reason = "rounded up")]
             let root = (high * if odd == 1 { 2.0 } else { 1.0 }).sqrt() * UP;
             return Self {
                 mantissa: IBig::ZERO,
