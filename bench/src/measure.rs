@@ -60,6 +60,7 @@ pub struct Measured {
     pub flips: u64,
     pub by_f64: u64,
     pub by_double_double: u64,
+    pub by_wide: u64,
     pub by_exact: u64,
 }
 
@@ -153,6 +154,7 @@ fn hipline(cases: &[Case], both_sides: bool) -> Result<Measured, String> {
             best.flips += stats.flips;
             best.by_f64 += stats.by_f64;
             best.by_double_double += stats.by_double_double;
+            best.by_wide += stats.by_wide;
             best.by_exact += stats.by_exact;
         }
     }

@@ -105,12 +105,14 @@ fn times(rows: &[&Row]) -> Table {
 
 fn counts(rows: &[Row]) -> Table {
     let mut table = head(&[
-        "input", "n", "edge", "split", "flips", "f64", "dd", "exact", "dd %", "exact %",
+        "input", "n", "edge", "split", "flips", "f64", "dd", "wide", "exact", "dd %", "wide %",
+        "exact %",
     ]);
     for row in rows {
         let all = &row.hipline;
         let count = |count: u64, digits| number(Some(all.per_vertex(count as f64)), digits);
-        let decisions = (all.by_f64 + all.by_double_double + all.by_exact).max(1) as f64;
+        let decisions =
+            (all.by_f64 + all.by_double_double + all.by_wide + all.by_exact).max(1) as f64;
         let share = |count: u64| number(Some(100.0 * count as f64 / decisions), 3);
         table.push(vec![
             row.input.name().to_owned(),
@@ -120,8 +122,10 @@ fn counts(rows: &[Row]) -> Table {
             count(all.flips, 2),
             count(all.by_f64, 1),
             count(all.by_double_double, 3),
+            count(all.by_wide, 3),
             count(all.by_exact, 3),
             share(all.by_double_double),
+            share(all.by_wide),
             share(all.by_exact),
         ]);
     }

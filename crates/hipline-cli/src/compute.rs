@@ -221,15 +221,17 @@ impl Watch {
         let rungs = [
             total(|s| s.by_f64),
             total(|s| s.by_double_double),
+            total(|s| s.by_wide),
             total(|s| s.by_exact),
         ];
         let all = rungs.iter().sum::<u64>();
         let share = |n: u64| 100.0 * n as f64 / all.max(1) as f64;
         print_to_stderr(format_args!(
-            "decisions  {all}: {:.2}% by f64, {:.2}% by double-double, {:.2}% by exact integers",
+            "decisions  {all}: {:.2}% by f64, {:.2}% by double-double, {:.2}% by 400 digits, {:.2}% by exact integers",
             share(rungs[0]),
             share(rungs[1]),
-            share(rungs[2])
+            share(rungs[2]),
+            share(rungs[3])
         ));
         let stages: Vec<_> = self
             .stages

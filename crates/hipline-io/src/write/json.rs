@@ -170,12 +170,13 @@ fn object(w: &mut impl Write, skeleton: &Skeleton) -> io::Result<()> {
         flips,
         by_f64,
         by_double_double,
+        by_wide,
         by_exact,
     } = skeleton.stats();
     write!(
         w,
         "\"stats\":{{\"edge_events\":{edge_events},\"split_events\":{split_events},\"flips\":{flips},\
-         \"by_f64\":{by_f64},\"by_double_double\":{by_double_double},\"by_exact\":{by_exact}}}}}"
+         \"by_f64\":{by_f64},\"by_double_double\":{by_double_double},\"by_wide\":{by_wide},\"by_exact\":{by_exact}}}}}"
     )
 }
 

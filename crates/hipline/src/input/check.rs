@@ -97,7 +97,9 @@ impl Mesh {
         sides.sort_unstable_by_key(|side| {
             (side.from.min(side.to), side.from.max(side.to), side.from)
         });
-        ensure(sides.len() % 2 == 0, || "sides come in pairs".into())?;
+        ensure(sides.len().is_multiple_of(2), || {
+            "sides come in pairs".into()
+        })?;
         let mut seen = vec![false; edges.len()];
         for pair in sides.chunks_exact(2) {
             let [one, other] = pair else { continue };

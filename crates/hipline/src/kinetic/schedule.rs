@@ -8,7 +8,7 @@ use std::{
 
 use super::{
     Kinetic,
-    triangulation::{Triangulation, next, prev},
+    triangulation::{Across, Triangulation, next, prev},
     wavefront::{Trace, Wavefront},
 };
 use crate::predicates::{Bounds, Corner, Moment, PlaneId, Planes};
@@ -176,16 +176,13 @@ impl Kinetic<'_> {
     pub(super) fn next_collapse(&self, t: TriangleId) -> Option<(Moment, Bounds)> {
         let triangle = self.triangulation.get(t);
         let mut best: Option<(Moment, Bounds)> = None;
-        let mut waves = [None; 3];
-        for k in 0..3 {
-            waves[k] = triangle.across[k].wave();
-        }
+        let waves = triangle.across.map(Across::wave);
         let count = waves.iter().flatten().count();
         if count == 0 {
             return self.next_flat(t);
         }
-        for k in 0..3 {
-            let Some(wave) = waves[k] else { continue };
+        for (k, wave) in waves.into_iter().enumerate() {
+            let Some(wave) = wave else { continue };
             let triple = collapse_planes(&self.triangulation, &self.front, wave);
             let [start, end] = [triangle.tips[next(k)], triangle.tips[prev(k)]].map(|tip| {
                 self.front

@@ -68,9 +68,9 @@ impl<'a> Kinetic<'a> {
         };
         let mut number = vec![Across::NOTHING; mesh.corners.len()];
         let mut count = 0;
-        for t in 0..mesh.corners.len() {
+        for (t, number) in number.iter_mut().enumerate() {
             if kept(t) {
-                number[t] = TriangleId::new(count).into();
+                *number = TriangleId::new(count).into();
                 count += 1;
             }
         }

@@ -227,14 +227,6 @@ impl Triangulation {
         }
     }
 
-    /// The triangles around a vertex from the given one on, counterclockwise.
-    pub(super) fn fan_from(&self, t: TriangleId, corner: usize) -> Fan<'_> {
-        Fan {
-            triangulation: self,
-            at: Some((t, corner)),
-        }
-    }
-
     /// The step of a fan: across the side that follows the corner counterclockwise.
     fn step(&self, t: TriangleId, corner: usize) -> Option<(TriangleId, usize)> {
         let side = next(corner);

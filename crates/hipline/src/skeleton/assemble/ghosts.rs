@@ -321,12 +321,9 @@ impl Assembly<'_> {
         let [x, y, _] = self.planes.round(place);
         let edges = self.figure.edges();
         let line = (plane.0 / 2) as usize;
-        let edge = edges.get(line).or_else(|| {
-            // A terminal's own line is perpendicular to its edge: no direction to be had
-            // here, so no bounds.
-            None
-        });
-        let Some(edge) = edge else {
+        // A terminal's own line is perpendicular to its edge: no direction to be had here, so
+        // no bounds.
+        let Some(edge) = edges.get(line) else {
             return (f64::NEG_INFINITY, f64::INFINITY);
         };
         let vertices = self.figure.vertices();

@@ -255,7 +255,7 @@ impl Assembly<'_> {
             return match edges.get(face / 2) {
                 Some(edge) => {
                     let ends = [edge.from.index() as u32, edge.to.index() as u32];
-                    if face % 2 == 0 {
+                    if face.is_multiple_of(2) {
                         ends
                     } else {
                         [ends[1], ends[0]]
@@ -269,7 +269,7 @@ impl Assembly<'_> {
             };
         }
         let piece = &self.pieces[step / 2];
-        if step % 2 == 0 {
+        if step.is_multiple_of(2) {
             [piece.from, piece.to]
         } else {
             [piece.to, piece.from]
@@ -308,7 +308,7 @@ impl Assembly<'_> {
                     }
                     None => (
                         face / 2,
-                        if face % 2 == 0 {
+                        if face.is_multiple_of(2) {
                             Side::Left
                         } else {
                             Side::Right
@@ -401,7 +401,7 @@ impl Assembly<'_> {
     /// The face that a boundary without a base lies in.
     fn home(&mut self, orphan: Step, order: &[(u32, Side, u32)]) -> u32 {
         let trace = *self.front.trace(self.pieces[orphan / 2].trace);
-        let wave = *self.front.wave(if orphan % 2 == 0 {
+        let wave = *self.front.wave(if orphan.is_multiple_of(2) {
             trace.inn
         } else {
             trace.out

@@ -207,7 +207,11 @@ impl Checker<'_> {
             }
             let id = ArcId::new(a);
             let [from, to] = arc.nodes.map(|n| s.node(n).kind);
-            if matches!(from, NodeKind::Infinite { .. }) || matches!(to, NodeKind::Input(_)) {
+            // With weights, an edge may be overrun at time zero, along an arc between vertices.
+            let overrun = !self.unweighted && matches!(from, NodeKind::Input(_));
+            if matches!(from, NodeKind::Infinite { .. })
+                || matches!(to, NodeKind::Input(_)) && !overrun
+            {
                 self.report.add(Violation::WrongWay { arc: id });
             }
             if arc.faces[0] == arc.faces[1] && self.unweighted {
