@@ -112,7 +112,7 @@ fn roots_of_floats_are_walled_off() {
     let roots = with("hipline/src", &[".sqrt()", ".hypot("]);
     let allowed = [
         "predicates/planes.rs",
-        "predicates/moment.rs",
+        "predicates/root.rs",
         "offset/mod.rs",
         "roof/triangulate.rs",
     ];
@@ -148,7 +148,7 @@ fn files_stay_small() {
     let crates = repository().join("crates");
     let long: Vec<String> = sources(&crates)
         .iter()
-        .filter(|(path, _)| !path.ends_with("tests.rs"))
+        .filter(|(path, _)| !path.ends_with("tests.rs") && !path.iter().any(|part| part == "tests"))
         .map(|(path, text)| (path, text.lines().count()))
         .filter(|&(_, lines)| lines >= 600)
         .map(|(path, lines)| format!("{}: {lines} lines", path.display()))

@@ -93,18 +93,30 @@ impl Figure {
         kinetic.stats.by_double_double = rungs.by_double_double;
         kinetic.stats.by_wide = rungs.by_wide;
         kinetic.stats.by_exact = rungs.by_exact;
-        assemble(
-            self,
-            &kinetic.planes,
-            &kinetic.terminals,
-            kinetic.front,
-            region,
-            kinetic.stats,
-        )
+        // Only what the wavefront left behind is needed from here on.
+        let Kinetic {
+            planes,
+            terminals,
+            front,
+            stats,
+            ..
+        } = kinetic.reduced();
+        assemble(self, &planes, &terminals, front, region, stats)
     }
 }
 
 impl Kinetic<'_> {
+    /// Frees what only the propagation needs.
+    fn reduced(self) -> Self {
+        Self {
+            triangulation: Triangulation::default(),
+            queue: Queue::default(),
+            agenda: Agenda::default(),
+            batch: Batch::default(),
+            ..self
+        }
+    }
+
     /// Lets the wavefront move until nothing happens any more.
     fn propagate(&mut self) {
         self.start();

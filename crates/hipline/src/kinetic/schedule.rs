@@ -138,6 +138,10 @@ impl Agenda {
         if root != NO_CLASS && root == self.root(b) {
             return Ordering::Equal;
         }
+        if planes.evidently_equal(&self.moments[a.index()], &self.moments[b.index()]) {
+            self.unite(a, b);
+            return Ordering::Equal;
+        }
         if let Some(order) = self.compare_wide(planes, a, b) {
             return order;
         }

@@ -9,6 +9,7 @@ mod moment;
 mod orientation;
 mod place;
 mod planes;
+mod root;
 mod terminal;
 
 pub(crate) use expression::{Corner, Direction};

@@ -10,6 +10,7 @@ use std::cmp::Ordering;
 use super::{
     expression::{Corner, Direction, Quadratic, area, difference, lead, meeting, minor},
     planes::{PlaneId, Planes, Question, Rung},
+    root::{ball_root, dd_root, discriminant, double, exact_root, root_bounds, wide_root},
 };
 
 /// A moment, by its definition.
@@ -50,15 +51,6 @@ pub(crate) enum Part {
     Slope,
     Curvature,
     Discriminant,
-}
-
-fn double<T: Number>(x: &T) -> T {
-    x.plus(x)
-}
-
-fn discriminant<T: Number>(g: &Quadratic<T>) -> T {
-    let product = g[0].times(&g[2]);
-    g[1].times(&g[1]).minus(&double(&double(&product)))
 }
 
 impl Curve for Area {
@@ -165,55 +157,6 @@ impl<C: Curve> Question for SignAt<'_, C> {
     }
 }
 
-/// The roots that the approximate rungs can enclose.
-macro_rules! falling_root {
-    ($type:ty) => {
-        /// An enclosure of `(-g1 - sqrt(g1^2 - 4 g2 g0)) / 2 g2`, the root where g falls.
-        pub(in super::super) fn falling_root(g: &Quadratic<$type>) -> Option<$type> {
-            let disc = discriminant(g);
-            if disc.sign() == Some(Sign::Negative) {
-                return None;
-            }
-            let root = disc.sqrt();
-            let value = if g[1].value() <= 0.0 {
-                double(&g[0]).div(&root.minus(&g[1]))
-            } else {
-                g[1].negated().minus(&root).div(&double(&g[2]))
-            };
-            value.error().is_finite().then_some(value)
-        }
-    };
-}
-
-pub(super) mod ball_root {
-    use super::*;
-    falling_root!(Ball);
-}
-pub(super) mod dd_root {
-    use super::*;
-    falling_root!(BallDd);
-}
-
-/// The same in 400 digits.
-pub(super) mod wide_root {
-    use super::*;
-
-    /// An enclosure of `(-g1 - sqrt(g1^2 - 4 g2 g0)) / 2 g2`, the root where g falls.
-    pub(in super::super) fn falling_root(g: &Quadratic<Wide>) -> Option<Wide> {
-        let disc = discriminant(g);
-        if disc.sign() == Some(Sign::Negative) {
-            return None;
-        }
-        let root = disc.sqrt();
-        let value = if g[1].sign() == Some(Sign::Positive) {
-            g[1].negated().minus(&root).div(&double(&g[2]))
-        } else {
-            double(&g[0]).div(&root.minus(&g[1]))
-        };
-        value.is_bounded().then_some(value)
-    }
-}
-
 /// Bounds wider than this part of their value are worth a second attempt. Only a matter of
 /// speed: bounds hold whatever their width.
 const WIDE: f64 = 1.0 / (1u64 << 30) as f64;
@@ -260,63 +203,6 @@ fn exact_quotient(n: &Ball, d: &Ball) -> Option<f64> {
     let (n, d) = (n.value() as i64, d.value() as i64);
     let odd = d >> d.trailing_zeros();
     (n % odd == 0).then(|| -(n as f64) / d as f64)
-}
-
-/// Bounds of a falling root that is not negative, where its denominator may be zero: such a
-/// root is far away, and that is worth knowing.
-fn root_bounds(g: &Quadratic<BallDd>) -> Bounds {
-    let disc = discriminant(g);
-    let root = if disc.upper() > 0.0 {
-        disc.sqrt()
-    } else {
-        BallDd::zero()
-    };
-    let (n, d) = if g[1].value() <= 0.0 {
-        (double(&g[0]), root.minus(&g[1]))
-    } else {
-        (g[1].plus(&root), double(&g[2]).negated())
-    };
-    // One rounding each, covered by one part in 2^50.
-    let slack = f64::EPSILON * 4.0;
-    let low = n.lower().max(0.0) / d.upper() * (1.0 - slack);
-    let high = if d.lower() > 0.0 {
-        n.upper() / d.lower() * (1.0 + slack)
-    } else {
-        f64::INFINITY
-    };
-    Bounds {
-        low: if low.is_finite() { low } else { 0.0 },
-        high: if high.is_nan() { f64::INFINITY } else { high },
-    }
-}
-
-/// The falling root of a polynomial if it is a binary fraction that f64 holds exactly.
-#[expect(
-    clippy::cast_possible_truncation,
-    clippy::cast_precision_loss,
-    reason = "integers below 2^53"
-)]
-fn exact_root(g: &Quadratic<Ball>) -> Option<f64> {
-    if g.iter().any(|c| c.error() > 0.0) {
-        return None;
-    }
-    let [g0, g1, g2] = g.each_ref().map(|c| c.value() as i128);
-    let square = g1 * g1 - 4 * g2 * g0;
-    let root = square.isqrt();
-    if root * root != square {
-        return None;
-    }
-    // 2 g0 / (root - g1), or where that is 0 / 0: (-root - g1) / 2 g2.
-    let (n, d) = if root == g1 {
-        (-root - g1, 2 * g2)
-    } else {
-        (2 * g0, root - g1)
-    };
-    if d == 0 || n.unsigned_abs() >= 1 << 53 || d.unsigned_abs() >= 1 << 53 {
-        return None;
-    }
-    let odd = d >> d.trailing_zeros();
-    (n % odd == 0).then(|| n as f64 / d as f64)
 }
 
 impl Planes {
@@ -413,6 +299,14 @@ impl Planes {
                 low: 0.0,
                 high: f64::INFINITY,
             }
+        }
+    }
+
+    /// Whether two moments are equal for a reason that is cheap to see.
+    pub(crate) fn evidently_equal(&self, a: &Moment, b: &Moment) -> bool {
+        match (a, b) {
+            (Moment::Planes(s), Moment::Planes(t)) => self.meet_evidently_together(*s, *t),
+            _ => a == b,
         }
     }
 

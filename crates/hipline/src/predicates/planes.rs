@@ -13,7 +13,7 @@ use std::cell::Cell;
 use super::{
     Terminal,
     expression::Quadratic,
-    moment::{ball_root, dd_root, wide_root},
+    root::{ball_root, dd_root, wide_root},
 };
 use crate::input::Figure;
 
@@ -508,6 +508,48 @@ impl Planes {
         } else {
             a == -d && b == -e && c == -f
         }
+    }
+
+    /// `N` and `D` of a meeting in integers: `D` as coefficients of square roots, by radicand.
+    fn formal_meeting(&self, triple: [PlaneId; 3]) -> (IBig, Vec<(IBig, IBig)>) {
+        let [i, j, k] = triple.map(|id| {
+            let [a, b, c] = self.lines[(id.0 >> 1) as usize].integers();
+            if id.0 & 1 == 0 {
+                [a, b, c]
+            } else {
+                [-a, -b, -c]
+            }
+        });
+        let minor = |p: &[IBig; 3], q: &[IBig; 3]| &p[0] * &q[1] - &q[0] * &p[1];
+        let minors = [minor(&j, &k), minor(&k, &i), minor(&i, &j)];
+        let n = &minors[0] * &i[2] + &minors[1] * &j[2] + &minors[2] * &k[2];
+        let mut d: Vec<(IBig, IBig)> = Vec::with_capacity(3);
+        for ((m, line), id) in minors.into_iter().zip([i, j, k]).zip(triple) {
+            let radicand = &line[0] * &line[0] + &line[1] * &line[1];
+            let m = match &self.speeds {
+                Some(speeds) => m * &speeds.exact[id.0 as usize],
+                None => m,
+            };
+            match d.iter_mut().find(|(r, _)| *r == radicand) {
+                Some((_, sum)) => *sum += m,
+                None => d.push((radicand, m)),
+            }
+        }
+        d.retain(|(_, m)| *m != IBig::ZERO);
+        d.sort_unstable();
+        (n, d)
+    }
+
+    /// Whether two meetings are at one time for the simple reason that `N1 D2` and `N2 D1`
+    /// are the same coefficients of the same roots. Exact where it says yes; `N` and `D` do not
+    /// change when a figure is moved, so it says yes for copies of one shape.
+    pub(crate) fn meet_evidently_together(&self, s: [PlaneId; 3], t: [PlaneId; 3]) -> bool {
+        let ((n1, d1), (n2, d2)) = (self.formal_meeting(s), self.formal_meeting(t));
+        d1.len() == d2.len()
+            && d1
+                .iter()
+                .zip(&d2)
+                .all(|((r1, c1), (r2, c2))| r1 == r2 && &n1 * c2 == &n2 * c1)
     }
 
     /// Which of two planes is the faster one?
