@@ -4,6 +4,7 @@
 //! output; [`Bounds`] only ever saves asking.
 
 mod expression;
+mod grid;
 mod heading;
 mod moment;
 mod orientation;
