@@ -6,8 +6,8 @@
 //! two, `a`, `b`, `c` and `w` are integers; dividing `a`, `b`, `c` by `gcd(a, b)` keeps
 //! them small on grids. The root is the only irrational number in the plane.
 
-use dashu_int::{IBig, UBig, ops::Gcd, ops::UnsignedAbs};
-use hipline_num::{Ball, BallDd, Number, Rungs, Sign, Surd, Wide, f64_to_parts};
+use dashu_int::{IBig, ops::Gcd, ops::UnsignedAbs};
+use hipline_num::{Ball, BallDd, Number, Rungs, Sign, Surd, Wide, f64_to_parts, perfect_root};
 use std::cell::Cell;
 
 use super::grid::{common_unit, gcd, scaled, scaled_small};
@@ -223,16 +223,6 @@ impl Rung for Surd {
 }
 
 /// The root of a perfect square.
-fn exact_root(square: &UBig) -> Option<UBig> {
-    if let Ok(small) = u128::try_from(square) {
-        return small_root(small).map(UBig::from);
-    }
-    use dashu_int::ops::SquareRoot;
-    let root = square.sqrt();
-    (&root * &root == *square).then_some(root)
-}
-
-/// The root of a perfect square.
 fn small_root(square: u128) -> Option<u128> {
     // Squares end in one of twelve patterns of six bits.
     const RESIDUES: u64 = 0x0202_0212_0203_0213;
@@ -407,7 +397,7 @@ impl Planes {
         let (a, b) = (a / &g, b / &g);
         let c = &a * &point[0] + &b * &point[1];
         let square = &a * &a + &b * &b;
-        let length = match exact_root(&square.clone().unsigned_abs()) {
+        let length = match perfect_root(&square.clone().unsigned_abs()) {
             Some(root) => BallDd::integer(&IBig::from(root), self.shift),
             None => BallDd::integer(&square, 2 * self.shift).sqrt(),
         };
