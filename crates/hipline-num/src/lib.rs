@@ -1,13 +1,15 @@
 //! Exact signs and correctly rounded values of polynomials in square roots.
 //!
 //! Every decision in a straight skeleton is the sign of an integer polynomial in a few
-//! square roots of integers. This crate answers such questions on a ladder of three
+//! square roots of integers. This crate answers such questions on a ladder of
 //! [`Number`] types, cheapest first:
 //!
 //! | rung | type | when it cannot tell |
 //! | --- | --- | --- |
 //! | f64 with a proven error bound | [`Ball`] | abstains |
 //! | double-double with a proven error bound | [`BallDd`] | abstains |
+//! | integers of up to 1024 digits and square roots | [`Fixed`] | abstains |
+//! | 400 digits with a proven error bound | [`Wide`] | abstains |
 //! | integers and square roots | [`Surd`] | always tells |
 //!
 //! It knows no geometry. Nothing here compares against a tolerance: a sign is either proven
@@ -21,6 +23,8 @@
 mod ball;
 mod ball_dd;
 mod dyadic;
+mod fixed;
+mod limbs;
 mod number;
 mod rounding;
 mod rungs;
@@ -33,9 +37,12 @@ mod wide;
 pub use ball::Ball;
 pub use ball_dd::BallDd;
 pub use dyadic::{f64_to_parts, ilog2};
+pub use fixed::{Fixed, Radicals};
+pub use limbs::{Integer, Limbs};
 pub use number::Number;
 pub use rounding::{
-    compare_quotient_f64, round_ball_dd, round_ball_dd_plus, round_quotient, round_quotient_plus,
+    compare_quotient_f64, round_ball_dd, round_ball_dd_plus, round_fixed_plus, round_quotient,
+    round_quotient_plus,
 };
 pub use rungs::Rungs;
 pub use sign::Sign;

@@ -228,3 +228,16 @@ pub fn round_ball_dd_plus(p: &BallDd, q: &BallDd, exponent: i32, origin: f64) ->
     let normal = (power_of_two(-1000)..=power_of_two(1000)).contains(&result.abs());
     (normal || result == 0.0 && origin != 0.0).then_some(result + 0.0)
 }
+
+/// The f64 that p/q·2^exponent + origin rounds to, if double-doubles can prove it, for p and q with
+/// exponents of their own: those of exact numbers, in which what cancels has done so before
+/// (see [`Fixed::to_fine_ball_dd`](crate::Fixed::to_fine_ball_dd)).
+#[must_use]
+pub fn round_fixed_plus(
+    (p, i): (BallDd, i32),
+    (q, j): (BallDd, i32),
+    exponent: i32,
+    origin: f64,
+) -> Option<f64> {
+    round_ball_dd_plus(&p, &q, exponent + i - j, origin)
+}

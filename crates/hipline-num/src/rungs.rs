@@ -11,7 +11,7 @@ pub struct Rungs {
     pub by_double_double: u64,
     /// Answered by [`Wide`](crate::Wide).
     pub by_wide: u64,
-    /// Answered by [`Surd`](crate::Surd).
+    /// Answered by exact numbers: [`Fixed`](crate::Fixed) or [`Surd`](crate::Surd).
     pub by_exact: u64,
 }
 

@@ -1,0 +1,356 @@
+//! Integers of a fixed width, for the rung of [`Fixed`](crate::Fixed): they never allocate, and
+//! say so where a result does not fit.
+//!
+//! Two kinds: `i128`, which serves grids, and [`Limbs`] with up to 1024 binary digits, which serves
+//! most figures whose coordinates use all digits of an f64. Libraries of fixed width
+//! take the time of the full width for every operation; here only the digits in use are touched,
+//! and most factors have two or three.
+
+use crate::fixed::Term;
+use crate::{BallDd, Number, Sign};
+use dashu_int::{IBig, Word};
+
+/// Machine words in [`Limbs`].
+const WIDTH: usize = 16;
+
+/// An integer of bounded size: `None` means that a result may not fit.
+pub trait Integer: Sized + Clone + std::fmt::Debug {
+    /// Room for terms of a sum: what is moved at little cost.
+    #[doc(hidden)]
+    type Terms: smallvec::Array<Item = Term<Self>>;
+    /// Zero.
+    const ZERO: Self;
+    /// The value of a machine integer.
+    fn from_i128(i: i128) -> Option<Self>;
+    /// The value of any integer.
+    fn from_int(i: &IBig) -> Option<Self>;
+    /// The sum.
+    #[must_use]
+    fn plus(&self, o: &Self) -> Option<Self>;
+    /// The difference.
+    #[must_use]
+    fn minus(&self, o: &Self) -> Option<Self>;
+    /// The product.
+    #[must_use]
+    fn times(&self, o: &Self) -> Option<Self>;
+    /// The negation.
+    #[must_use]
+    fn negated(&self) -> Option<Self>;
+    /// The sign.
+    fn sign(&self) -> Sign;
+    /// How many binary digits the absolute value has.
+    fn bit_len(&self) -> u32;
+    /// The value as a double-double with its error bound.
+    fn to_ball_dd(&self) -> BallDd;
+    /// The same value with more room.
+    fn to_limbs(&self) -> Limbs;
+}
+
+impl Integer for i128 {
+    type Terms = [Term<Self>; 2];
+    const ZERO: Self = 0;
+    #[inline]
+    fn from_i128(i: i128) -> Option<Self> {
+        Some(i)
+    }
+    fn from_int(i: &IBig) -> Option<Self> {
+        Self::try_from(i).ok()
+    }
+    #[inline]
+    fn plus(&self, o: &Self) -> Option<Self> {
+        self.checked_add(*o)
+    }
+    #[inline]
+    fn minus(&self, o: &Self) -> Option<Self> {
+        self.checked_sub(*o)
+    }
+    #[inline]
+    fn times(&self, o: &Self) -> Option<Self> {
+        // Most factors are short; their product needs no test.
+        match (i64::try_from(*self), i64::try_from(*o)) {
+            (Ok(a), Ok(b)) => Some(Self::from(a) * Self::from(b)),
+            _ => self.checked_mul(*o),
+        }
+    }
+    #[inline]
+    fn negated(&self) -> Option<Self> {
+        self.checked_neg()
+    }
+    #[inline]
+    fn sign(&self) -> Sign {
+        Sign::from(self.cmp(&0))
+    }
+    fn bit_len(&self) -> u32 {
+        Self::BITS - self.unsigned_abs().leading_zeros()
+    }
+    fn to_ball_dd(&self) -> BallDd {
+        let size = self.unsigned_abs();
+        let value = near(&[size as u64, (size >> 64) as u64]);
+        if *self < 0 { value.negated() } else { value }
+    }
+    fn to_limbs(&self) -> Limbs {
+        Limbs::of_i128(*self)
+    }
+}
+
+/// The natural number with these digits to the base 2^64, least first.
+fn near(digits: &[u64]) -> BallDd {
+    let rest = digits.len().saturating_sub(3);
+    let mut sum = BallDd::zero();
+    for &digit in digits[rest..].iter().rev() {
+        let digit = BallDd::new(
+            (digit >> 32) as f64 * 4_294_967_296.0,
+            (digit & 0xffff_ffff) as f64,
+            0.0,
+        );
+        sum = sum.ldexp(64).plus(&digit);
+    }
+    if rest == 0 {
+        return sum;
+    }
+    // The leading digit is not zero: three of them are at least 2^128, and what is left out is
+    // below 1, which is less than 2^-104 of them.
+    let lost = sum.value() * (f64::EPSILON * f64::EPSILON);
+    BallDd::new(
+        sum.value(),
+        sum.low(),
+        (sum.error() + lost) * (1.0 + f64::EPSILON),
+    )
+    .ldexp(64 * rest as i32)
+}
+
+/// An integer with up to 1024 binary digits: sign and size. Digits not in use are zero.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub struct Limbs {
+    negative: bool,
+    /// So many digits are in use, the last of them not zero.
+    len: usize,
+    digits: [u64; WIDTH],
+}
+
+impl std::fmt::Debug for Limbs {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(
+            f,
+            "{}{:x?}",
+            if self.negative { "-" } else { "" },
+            self.used()
+        )
+    }
+}
+
+impl Limbs {
+    fn of_i128(i: i128) -> Self {
+        let size = i.unsigned_abs();
+        let mut result = Self::ZERO;
+        result.digits[0] = size as u64;
+        result.digits[1] = (size >> 64) as u64;
+        result.len = 2;
+        result.negative = i < 0;
+        result.trimmed()
+    }
+
+    /// The absolute value.
+    pub(crate) fn size(&self) -> Self {
+        Self {
+            negative: false,
+            ..*self
+        }
+    }
+
+    /// Without the last `count` digits, rounded towards zero.
+    pub(crate) fn without(&self, count: usize) -> Self {
+        let mut result = Self::ZERO;
+        result.len = self.len.saturating_sub(count);
+        result.digits[..result.len].copy_from_slice(&self.digits[self.len - result.len..self.len]);
+        result.negative = self.negative && result.len > 0;
+        result
+    }
+
+    /// With `count` zeros appended.
+    pub(crate) fn with_zeros(&self, count: usize) -> Option<Self> {
+        if self.len == 0 {
+            return Some(*self);
+        }
+        if self.len + count > WIDTH {
+            return None;
+        }
+        let mut result = Self::ZERO;
+        result.len = self.len + count;
+        result.digits[count..result.len].copy_from_slice(self.used());
+        result.negative = self.negative;
+        Some(result)
+    }
+
+    fn used(&self) -> &[u64] {
+        &self.digits[..self.len]
+    }
+
+    /// Drops leading zeros.
+    fn trimmed(mut self) -> Self {
+        while self.len > 0 && self.digits[self.len - 1] == 0 {
+            self.len -= 1;
+        }
+        self.negative &= self.len > 0;
+        self
+    }
+
+    fn compare_size(&self, o: &Self) -> std::cmp::Ordering {
+        self.len
+            .cmp(&o.len)
+            .then_with(|| self.used().iter().rev().cmp(o.used().iter().rev()))
+    }
+
+    /// |self| + |o|, with the sign of `self`.
+    fn add_size(&self, o: &Self) -> Option<Self> {
+        let (long, short) = if self.len >= o.len {
+            (self, o)
+        } else {
+            (o, self)
+        };
+        let mut sum = *long;
+        sum.negative = self.negative;
+        let mut carry = false;
+        for (i, digit) in sum.digits[..long.len].iter_mut().enumerate() {
+            if i >= short.len && !carry {
+                break;
+            }
+            let other = if i < short.len { short.digits[i] } else { 0 };
+            let (x, a) = digit.overflowing_add(other);
+            let (x, b) = x.overflowing_add(u64::from(carry));
+            *digit = x;
+            carry = a | b;
+        }
+        if carry {
+            *sum.digits.get_mut(long.len)? = 1;
+            sum.len = long.len + 1;
+        }
+        Some(sum)
+    }
+
+    /// |self| - |o| where that is positive, with the given sign.
+    fn sub_size(&self, o: &Self, negative: bool) -> Self {
+        let mut difference = *self;
+        difference.negative = negative;
+        let mut borrow = false;
+        for (i, digit) in difference.digits[..self.len].iter_mut().enumerate() {
+            if i >= o.len && !borrow {
+                break;
+            }
+            let other = if i < o.len { o.digits[i] } else { 0 };
+            let (x, a) = digit.overflowing_sub(other);
+            let (x, b) = x.overflowing_sub(u64::from(borrow));
+            *digit = x;
+            borrow = a | b;
+        }
+        difference.trimmed()
+    }
+
+    fn sum(&self, o: &Self, negate: bool) -> Option<Self> {
+        if self.negative == (o.negative != negate) {
+            return self.add_size(o);
+        }
+        Some(match self.compare_size(o) {
+            std::cmp::Ordering::Equal => Self::ZERO,
+            std::cmp::Ordering::Greater => self.sub_size(o, self.negative),
+            std::cmp::Ordering::Less => o.sub_size(self, !self.negative),
+        })
+    }
+}
+
+impl Integer for Limbs {
+    type Terms = [Term<Self>; 0];
+    const ZERO: Self = Self {
+        negative: false,
+        len: 0,
+        digits: [0; WIDTH],
+    };
+    fn from_i128(i: i128) -> Option<Self> {
+        Some(Self::of_i128(i))
+    }
+    fn from_int(i: &IBig) -> Option<Self> {
+        let (sign, words) = i.as_sign_words();
+        let step = Word::BITS as usize;
+        if words.len() * step > 64 * WIDTH {
+            return None;
+        }
+        let mut result = Self::ZERO;
+        for (k, &word) in words.iter().enumerate() {
+            #[allow(clippy::useless_conversion, reason = "the width depends on the target")]
+            let word = u64::from(word);
+            result.digits[k * step / 64] |= word << (k * step % 64);
+        }
+        result.len = WIDTH;
+        result.negative = sign == dashu_int::Sign::Negative;
+        Some(result.trimmed())
+    }
+    fn plus(&self, o: &Self) -> Option<Self> {
+        if o.len == 0 {
+            return Some(*self);
+        }
+        if self.len == 0 {
+            return Some(*o);
+        }
+        self.sum(o, false)
+    }
+    fn minus(&self, o: &Self) -> Option<Self> {
+        if o.len == 0 {
+            return Some(*self);
+        }
+        if self.len == 0 {
+            return o.negated();
+        }
+        self.sum(o, true)
+    }
+    /// Does not fit if the factors have more digits together than there is room for: then the
+    /// product has at least 961 binary digits.
+    fn times(&self, o: &Self) -> Option<Self> {
+        let len = self.len + o.len;
+        if len > WIDTH {
+            return None;
+        }
+        let mut product = Self::ZERO;
+        product.len = len;
+        product.negative = self.negative != o.negative;
+        for (i, &a) in self.used().iter().enumerate() {
+            let mut carry = 0;
+            for (digit, &b) in product.digits[i..].iter_mut().zip(o.used()) {
+                // (2^64 - 1)^2 + 2 (2^64 - 1) = 2^128 - 1.
+                let wide = u128::from(a) * u128::from(b) + u128::from(*digit) + u128::from(carry);
+                *digit = wide as u64;
+                carry = (wide >> 64) as u64;
+            }
+            product.digits[i + o.len] = carry;
+        }
+        Some(product.trimmed())
+    }
+    fn negated(&self) -> Option<Self> {
+        Some(Self {
+            negative: !self.negative && self.len > 0,
+            ..*self
+        })
+    }
+    fn sign(&self) -> Sign {
+        match (self.len, self.negative) {
+            (0, _) => Sign::Zero,
+            (_, true) => Sign::Negative,
+            (_, false) => Sign::Positive,
+        }
+    }
+    fn bit_len(&self) -> u32 {
+        self.used()
+            .last()
+            .map_or(0, |top| 64 * self.len as u32 - top.leading_zeros())
+    }
+    fn to_ball_dd(&self) -> BallDd {
+        let value = near(self.used());
+        if self.negative {
+            value.negated()
+        } else {
+            value
+        }
+    }
+    fn to_limbs(&self) -> Limbs {
+        *self
+    }
+}
