@@ -18,11 +18,11 @@ use std::cmp::Ordering;
 
 use super::{
     Kinetic,
-    schedule::{corner, meeting_moment},
+    schedule::{collapse_planes, corner, meeting_moment},
     triangulation::{Across, Tip, next, prev},
     wavefront::{End, EventNode, Trace, Walk, Wave},
 };
-use crate::predicates::{Area, Direction, Moment, Part, PlaneId};
+use crate::predicates::{Area, Corner, Direction, Moment, Part, PlaneId};
 use crate::topology::{TraceId, TriangleId, WaveId};
 use hipline_num::Sign;
 
@@ -34,6 +34,11 @@ enum Shape {
     Zero(usize),
     /// The corner opposite this side lies strictly inside it.
     Flat(usize),
+}
+
+/// Whether a moment is defined as that at which the triangle of these corners is flat.
+fn is_root_of(moment: Option<Moment>, corners: [Corner; 3]) -> bool {
+    matches!(moment, Some(Moment::Root(flat)) if flat.iter().all(|c| corners.contains(c)))
 }
 
 impl Kinetic<'_> {
@@ -81,21 +86,24 @@ impl Kinetic<'_> {
     fn shape(&self, t: TriangleId) -> Shape {
         let triangle = self.triangulation.get(t);
         let waves = [0, 1, 2].map(|k| triangle.across[k].wave());
+        let due = self.due(t);
+        let corner = |tip| corner(&self.front, tip);
         // Sides that are wavefront edges are asked first: they share a plane with both of
         // their ends, which makes it cheap.
         for k in (0..3).filter(|&k| waves[k].is_some()) {
-            if self
-                .compare_tips(triangle.tips[next(k)], triangle.tips[prev(k)])
-                .is_eq()
-            {
+            let ends = [triangle.tips[next(k)], triangle.tips[prev(k)]];
+            let vanishes = waves[k].is_some_and(|wave| self.vanishes_at(due, wave, ends));
+            if vanishes || self.same_place(ends) {
                 return Shape::Zero(k);
             }
         }
+        let height = |k: usize, wave: WaveId| self.height_now(triangle.tips[k], wave, due);
         let sign = match waves {
+            [None, None, None] if is_root_of(due, triangle.tips.map(corner)) => Sign::Zero,
             [None, None, None] => self.area_now(triangle.tips),
-            [Some(wave), None, None] => self.height_now(triangle.tips[0], wave),
-            [None, Some(wave), None] => self.height_now(triangle.tips[1], wave),
-            [None, None, Some(wave)] => self.height_now(triangle.tips[2], wave),
+            [Some(wave), None, None] => height(0, wave),
+            [None, Some(wave), None] => height(1, wave),
+            [None, None, Some(wave)] => height(2, wave),
             // Between two wavefront edges of positive length the angle decides.
             [None, _, _] => self.turn_at(triangle.tips[0]),
             [_, None, _] => self.turn_at(triangle.tips[1]),
@@ -114,11 +122,30 @@ impl Kinetic<'_> {
             .turn
     }
 
-    /// How far a corner is ahead of the wavefront edge opposite it.
-    fn height_now(&self, tip: Tip, wave: WaveId) -> Sign {
+    /// Whether a wavefront edge has length zero at a moment for the simple reason that
+    /// it is the moment at which its plane meets those before and after it.
+    fn vanishes_at(&self, moment: Option<Moment>, wave: WaveId, ends: [Tip; 2]) -> bool {
+        let Some(moment @ Moment::Planes(_)) = moment else {
+            return false;
+        };
+        // Between parallel planes, a vertex is not where its planes meet.
+        let proper = |tip: &Tip| !self.turn_at(*tip).is_zero();
+        ends.iter().all(proper)
+            && moment == Moment::of_planes(collapse_planes(&self.triangulation, &self.front, wave))
+    }
+
+    /// How far a corner is ahead of the wavefront edge opposite it, if `due` is now.
+    fn height_now(&self, tip: Tip, wave: WaveId, due: Option<Moment>) -> Sign {
         let plane = self.front.wave(wave).plane;
         match tip.trace() {
-            Some(x) => self.planes.lead(&self.now, self.front.trace(x).pair, plane),
+            Some(x) => {
+                let pair = self.front.trace(x).pair;
+                let [i, j] = pair;
+                if due.is_some_and(|due| due == Moment::of_planes([plane, i, j])) {
+                    return Sign::Zero;
+                }
+                self.planes.lead(&self.now, pair, plane)
+            }
             None => self
                 .planes
                 .heads(plane, tip.direction().expect("a direction")),
@@ -138,6 +165,9 @@ impl Kinetic<'_> {
                 Ordering::Less => Shape::Flat(prev(k)),
             };
         }
+        if let Some(k) = self.middle_at_sight(tips) {
+            return Shape::Flat(k);
+        }
         let side = [0, 1, 2].map(|k| self.compare_tips(tips[next(k)], tips[prev(k)]));
         let across = self.triangulation.get(t).across;
         let zero = |k: &usize| side[*k].is_eq();
@@ -152,15 +182,37 @@ impl Kinetic<'_> {
         Shape::Flat(middle.expect("one of three places on a line is the middle one"))
     }
 
+    /// Which of three places on a line is the middle one, where f64 can order them strictly by one
+    /// of their coordinates.
+    fn middle_at_sight(&self, tips: [Tip; 3]) -> Option<usize> {
+        let pairs = tips.map(|tip| self.front.trace(tip.trace().expect("a finite corner")).pair);
+        [false, true].into_iter().find_map(|ordinate| {
+            let side = |k: usize| {
+                self.planes
+                    .compare_coordinate_roughly(&self.now, pairs[next(k)], pairs[prev(k)], ordinate)
+                    .filter(|order| order.is_ne())
+            };
+            let side = [side(0)?, side(1)?, side(2)?];
+            (0..3).find(|&k| side[next(k)] == side[prev(k)])
+        })
+    }
+
     /// The sign of a triangle's area now.
     pub(super) fn area_now(&self, tips: [Tip; 3]) -> Sign {
         let corners = tips.map(|tip| corner(&self.front, tip));
-        if let Moment::Root(flat) = self.now
-            && flat.iter().all(|c| corners.contains(c))
-        {
+        if is_root_of(Some(self.now), corners) {
             return Sign::Zero;
         }
         self.planes.sign_at(&self.now, &Area(corners, Part::Value))
+    }
+
+    /// Whether two places are one now.
+    fn same_place(&self, tips: [Tip; 2]) -> bool {
+        let [u, v] = tips.map(|tip| tip.trace().expect("a finite corner"));
+        self.known_same(u, v) || {
+            let [u, v] = [u, v].map(|x| self.front.trace(x).pair);
+            self.planes.coincide(&self.now, u, v)
+        }
     }
 
     /// Compares two places now, by x, then y.
@@ -342,7 +394,7 @@ impl Kinetic<'_> {
     fn close(&mut self, x: TraceId, w: TraceId, a: WaveId, b: WaveId) {
         debug_assert!(self.front.trace(x).inn == b && self.front.trace(x).out == a);
         debug_assert!(self.front.trace(w).inn == a && self.front.trace(w).out == b);
-        let node = if self.compare_tips(x.into(), w.into()).is_eq() {
+        let node = if self.same_place([x.into(), w.into()]) {
             self.common_node(x, w)
         } else {
             self.node_now(w)

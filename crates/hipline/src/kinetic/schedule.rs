@@ -16,7 +16,11 @@ use crate::topology::{TriangleId, WaveId};
 use hipline_num::{BallDd, Number, Sign, Wide};
 
 /// The planes whose meeting makes a wavefront edge vanish.
-fn collapse_planes(triangulation: &Triangulation, front: &Wavefront, wave: WaveId) -> [PlaneId; 3] {
+pub(super) fn collapse_planes(
+    triangulation: &Triangulation,
+    front: &Wavefront,
+    wave: WaveId,
+) -> [PlaneId; 3] {
     let [start, end] = triangulation.ends(wave);
     let before = front.wave(front.trace(start).inn).plane;
     let after = front.wave(front.trace(end).out).plane;
@@ -138,14 +142,17 @@ impl Agenda {
         if root != NO_CLASS && root == self.root(b) {
             return Ordering::Equal;
         }
-        if planes.evidently_equal(&self.moments[a.index()], &self.moments[b.index()]) {
-            self.unite(a, b);
-            return Ordering::Equal;
-        }
-        if let Some(order) = self.compare_wide(planes, a, b) {
-            return order;
-        }
-        let order = planes.compare(&self.moments[a.index()], &self.moments[b.index()]);
+        let [p, q] = [a, b].map(|t| &self.moments[t.index()]);
+        let fixed = || planes.compare_fixed(p, q);
+        let wide = || self.compare_wide(planes, a, b);
+        // Roots are found once in 400 digits; their polynomials have many terms.
+        let small = matches!((p, q), (Moment::Planes(_), Moment::Planes(_))) || planes.is_on_grid();
+        let order = if small {
+            fixed().or_else(wide)
+        } else {
+            wide().or_else(fixed)
+        };
+        let order = order.unwrap_or_else(|| planes.compare(p, q));
         if order.is_eq() {
             self.unite(a, b);
         }
@@ -173,6 +180,16 @@ impl Kinetic<'_> {
         if let Some((moment, bounds)) = found {
             agenda.set(t, moment);
             queue.set(t, Some(bounds), &|a, b| agenda.compare(planes, a, b));
+        } else {
+            agenda.set(t, Moment::Start);
+        }
+    }
+
+    /// The moment for which a triangle was taken from the queue in this batch: equal to `now`.
+    pub(super) fn due(&self, t: TriangleId) -> Option<Moment> {
+        match self.agenda.moment(t) {
+            Moment::Start => None,
+            moment => self.queue.bounds(t).is_none().then_some(moment),
         }
     }
 

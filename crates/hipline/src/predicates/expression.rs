@@ -128,6 +128,37 @@ pub(crate) fn area<T: Rung>(planes: &Planes, corners: [Corner; 3]) -> Quadratic<
     })
 }
 
+/// A number with the sign of a triangle's area when three planes meet: at t = -n / d a corner is at
+/// `(X / d, Y / d, m)` in homogeneous coordinates, with `X = x0 d - x1 n`. It has a
+/// smaller degree than the value of [`area`], of which most factors cancel.
+pub(crate) fn area_at<T: Rung>(planes: &Planes, corners: [Corner; 3], triple: [PlaneId; 3]) -> T {
+    let (n, d) = meeting::<T>(planes, triple);
+    let [u, v, w] = corners.map(|corner| {
+        let Path { x, y, m } = Path::<T>::of(planes, corner);
+        let at = |z: &[T; 2]| z[0].times(&d).minus(&z[1].times(&n));
+        (at(&x), at(&y), m)
+    });
+    determinant([&u, &v, &w])
+}
+
+fn determinant<T: Rung>([u, v, w]: [&(T, T, T); 3]) -> T {
+    let cross = |p: &(T, T, T), q: &(T, T, T)| p.0.times(&q.1).minus(&q.0.times(&p.1));
+    cross(v, w)
+        .times(&u.2)
+        .plus(&cross(w, u).times(&v.2))
+        .plus(&cross(u, v).times(&w.2))
+}
+
+/// The last coefficient of [`area`].
+pub(crate) fn curvature<T: Rung>(planes: &Planes, corners: [Corner; 3]) -> T {
+    let [u, v, w] = corners.map(|corner| {
+        let Path { x, y, m } = Path::<T>::of(planes, corner);
+        let ([_, x], [_, y]) = (x, y);
+        (x, y, m)
+    });
+    determinant([&u, &v, &w])
+}
+
 /// How far a vertex is ahead of a plane over time, times a positive number: linear.
 #[inline]
 pub(crate) fn lead<T: Rung>(planes: &Planes, [i, j]: [PlaneId; 2], plane: PlaneId) -> [T; 2] {
@@ -143,9 +174,24 @@ pub(crate) fn difference<T: Rung>(
     ordinate: bool,
 ) -> [T; 2] {
     let (u, v) = (Path::<T>::new(planes, u), Path::<T>::new(planes, v));
-    let (p, q) = if ordinate { (&u.y, &v.y) } else { (&u.x, &v.x) };
-    [
-        p[0].times(&v.m).minus(&q[0].times(&u.m)),
-        p[1].times(&v.m).minus(&q[1].times(&u.m)),
-    ]
+    if ordinate {
+        apart(&u.y, &u.m, &v.y, &v.m)
+    } else {
+        apart(&u.x, &u.m, &v.x, &v.m)
+    }
+}
+
+/// Both differences, times the same positive number.
+pub(crate) fn differences<T: Rung>(
+    planes: &Planes,
+    u: [PlaneId; 2],
+    v: [PlaneId; 2],
+) -> [[T; 2]; 2] {
+    let (u, v) = (Path::<T>::new(planes, u), Path::<T>::new(planes, v));
+    [apart(&u.x, &u.m, &v.x, &v.m), apart(&u.y, &u.m, &v.y, &v.m)]
+}
+
+#[inline]
+fn apart<T: Rung>(p: &[T; 2], m: &T, q: &[T; 2], n: &T) -> [T; 2] {
+    [0, 1].map(|k| p[k].times(n).minus(&q[k].times(m)))
 }

@@ -4,6 +4,7 @@
 //! output; [`Bounds`] only ever saves asking.
 
 mod expression;
+mod fixed;
 mod grid;
 mod heading;
 mod moment;

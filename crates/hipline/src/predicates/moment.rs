@@ -4,13 +4,19 @@
 //! vertices happen at the root of a quadratic. Every question about a moment is the sign
 //! of a polynomial in time, of degree two at most, at that moment.
 
-use hipline_num::{Ball, BallDd, Number, Sign, Surd, Wide};
+use hipline_num::{Ball, BallDd, Fixed, Integer, Number, Sign, Surd, Wide};
 use std::cmp::Ordering;
 
 use super::{
-    expression::{Corner, Direction, Quadratic, area, difference, lead, meeting, minor},
+    expression::{
+        Corner, Direction, Quadratic, area, area_at, curvature, difference, differences, lead,
+        meeting, minor,
+    },
     planes::{PlaneId, Planes, Question, Rung},
-    root::{ball_root, dd_root, discriminant, double, exact_root, root_bounds, wide_root},
+    root::{
+        AtRoot, at_root, ball_root, dd_root, discriminant, double, exact_root, root_bounds,
+        wide_root,
+    },
 };
 
 /// A moment, by its definition.
@@ -39,6 +45,11 @@ pub(crate) trait Curve {
     const LINEAR: bool;
     /// The coefficients; `None` where a rung abstains.
     fn coefficients<T: Rung>(&self, planes: &Planes) -> Option<Quadratic<T>>;
+    /// A number with the sign at a moment, where there is one that takes less than the
+    /// polynomial.
+    fn shortly<T: Rung>(&self, _planes: &Planes, _moment: &Moment) -> Option<T> {
+        None
+    }
 }
 
 /// The area of a triangle, and what derives from it.
@@ -63,6 +74,14 @@ impl Curve for Area {
             Part::Curvature => [g[2].clone(), T::zero(), T::zero()],
             Part::Discriminant => [discriminant(&g), T::zero(), T::zero()],
         })
+    }
+
+    fn shortly<T: Rung>(&self, planes: &Planes, moment: &Moment) -> Option<T> {
+        match (self.1, moment) {
+            (Part::Value, Moment::Planes(triple)) => Some(area_at(planes, self.0, *triple)),
+            (Part::Curvature, Moment::Start) => Some(curvature(planes, self.0)),
+            _ => None,
+        }
     }
 }
 
@@ -118,7 +137,13 @@ impl<C: Curve> Question for SignAt<'_, C> {
                 let (n, d) = meeting::<T>(planes, *triple);
                 let linear = f[0].times(&d).minus(&f[1].times(&n));
                 if C::LINEAR {
-                    Some(linear.sign()? * d.sign()?)
+                    let sign = linear.sign()?;
+                    // What is zero is often so at little cost, unlike the sign of d.
+                    Some(if sign.is_zero() {
+                        sign
+                    } else {
+                        sign * d.sign()?
+                    })
                 } else {
                     linear.times(&d).plus(&f[2].times(&n.times(&n))).sign()
                 }
@@ -131,29 +156,38 @@ impl<C: Curve> Question for SignAt<'_, C> {
         }
     }
 
-    fn ask_exactly(&self, planes: &Planes) -> Sign {
+    fn is_steep(&self) -> bool {
+        matches!(self.0, Moment::Root(_))
+    }
+
+    fn ask_fixed<I: Integer>(&self, planes: &Planes) -> Option<Sign> {
         let Moment::Root(corners) = self.0 else {
-            return self
-                .ask::<Surd>(planes)
-                .expect("exact numbers know their sign");
+            return match self.1.shortly::<Fixed<I>>(planes, self.0) {
+                Some(value) => value.sign(),
+                None => self.ask::<Fixed<I>>(planes),
+            };
         };
-        let f = self
-            .1
-            .coefficients::<Surd>(planes)
-            .expect("exact numbers know their sign");
-        let g = area::<Surd>(planes, *corners);
-        if g[2].sign() == Some(Sign::Zero) {
-            // A line: t = -g0 / g1.
-            let linear = f[0].times(&g[1]).minus(&f[1].times(&g[0]));
-            let value = linear.times(&g[1]).plus(&f[2].times(&g[0].times(&g[0])));
-            return value.sign().expect("exact numbers know their sign");
+        let f = self.1.coefficients::<Fixed<I>>(planes)?;
+        let g = area::<Fixed<I>>(planes, *corners);
+        match at_root(&f, &g)? {
+            AtRoot::Value(value) => value.sign(),
+            AtRoot::Sum(a, b, delta) => Fixed::sign_with_root(&a, &b, &delta),
         }
-        // g2 f - f2 g = p1 t + p0; at t = (-g1 - sqrt(disc)) / 2 g2, times 2 g2 (and g2
-        // twice in all, a square): 2 g2 p0 - p1 g1 - p1 sqrt(disc).
-        let p1 = g[2].times(&f[1]).minus(&f[2].times(&g[1]));
-        let p0 = g[2].times(&f[0]).minus(&f[2].times(&g[0]));
-        let a = double(&g[2].times(&p0)).minus(&p1.times(&g[1]));
-        Surd::sign_with_root(&a, &p1.negated(), &discriminant(&g))
+    }
+
+    fn ask_exactly(&self, planes: &Planes) -> Sign {
+        let sign = || {
+            let Moment::Root(corners) = self.0 else {
+                return self.ask::<Surd>(planes);
+            };
+            let f = self.1.coefficients::<Surd>(planes)?;
+            let g = area::<Surd>(planes, *corners);
+            match at_root(&f, &g)? {
+                AtRoot::Value(value) => value.sign(),
+                AtRoot::Sum(a, b, delta) => Some(Surd::sign_with_root(&a, &b, &delta)),
+            }
+        };
+        sign().expect("exact numbers know their sign")
     }
 }
 
@@ -302,11 +336,24 @@ impl Planes {
         }
     }
 
-    /// Whether two moments are equal for a reason that is cheap to see.
-    pub(crate) fn evidently_equal(&self, a: &Moment, b: &Moment) -> bool {
+    /// Which of two moments comes first, if exact numbers of a fixed width can tell?
+    ///
+    /// Both must exist, and lie where neither root's triangle has been flipped yet.
+    pub(crate) fn compare_fixed(&self, a: &Moment, b: &Moment) -> Option<Ordering> {
         match (a, b) {
-            (Moment::Planes(s), Moment::Planes(t)) => self.meet_evidently_together(*s, *t),
-            _ => a == b,
+            (Moment::Root(_), Moment::Planes(_)) => self.compare_fixed(b, a).map(Ordering::reverse),
+            (_, Moment::Planes(triple)) => self
+                .decide_fixed(&SignAt(a, &Since(*triple)))
+                .map(Sign::ordering),
+            (_, Moment::Root(corners)) => order_by_signs(|part| {
+                let area = Area(*corners, part);
+                match part {
+                    Part::Value => self.decide_fixed(&SignAt(a, &area)),
+                    Part::Curvature => Some(self.sign_of(&area)),
+                    _ => Some(self.sign_at(a, &area)),
+                }
+            }),
+            (_, Moment::Start) => None,
         }
     }
 
@@ -316,6 +363,9 @@ impl Planes {
     pub(crate) fn compare(&self, a: &Moment, b: &Moment) -> Ordering {
         match (a, b) {
             _ if a == b => Ordering::Equal,
+            // The sign of an area when planes meet is of a smaller degree than that of the time
+            // of a meeting at a root.
+            (Moment::Root(_), Moment::Planes(_)) => self.compare(b, a).reverse(),
             (_, Moment::Planes(triple)) => self.sign_at(a, &Since(*triple)).ordering(),
             (_, Moment::Root(corners)) => self.compare_with_root(a, *corners),
             (Moment::Planes(_) | Moment::Root(_), Moment::Start) => self.compare(b, a).reverse(),
@@ -326,24 +376,14 @@ impl Planes {
     /// The order of a moment and the falling root of a triangle's area g, from the signs of
     /// g and of its derivatives there.
     fn compare_with_root(&self, a: &Moment, corners: [Corner; 3]) -> Ordering {
-        let value = self.sign_at(a, &Area(corners, Part::Value));
-        let slope = self.sign_at(a, &Area(corners, Part::Slope));
-        let concave = || self.sign_of(&Area(corners, Part::Curvature)).is_negative();
-        match (value, slope) {
-            // On the falling branch.
-            (Sign::Positive, Sign::Negative) => Ordering::Less,
-            (Sign::Zero, Sign::Negative | Sign::Zero) => Ordering::Equal,
-            // Rising: a concave curve falls later, a convex one fell before.
-            (_, Sign::Positive) | (Sign::Positive, Sign::Zero) => {
-                if concave() {
-                    Ordering::Less
-                } else {
-                    Ordering::Greater
-                }
-            }
-            // Below zero and not rising: past the root.
-            (Sign::Negative, Sign::Negative | Sign::Zero) => Ordering::Greater,
-        }
+        order_by_signs(|part| {
+            let area = Area(corners, part);
+            Some(match part {
+                Part::Curvature => self.sign_of(&area),
+                _ => self.sign_at(a, &area),
+            })
+        })
+        .expect("every sign is known")
     }
 
     /// Whether the vertex is ahead of the plane at the moment (zero: on it).
@@ -356,7 +396,7 @@ impl Planes {
     }
 
     /// Whether two vertices are at one place: each plane of one passes through the other.
-    fn coincide(&self, moment: &Moment, u: [PlaneId; 2], v: [PlaneId; 2]) -> bool {
+    pub(crate) fn coincide(&self, moment: &Moment, u: [PlaneId; 2], v: [PlaneId; 2]) -> bool {
         u.iter().all(|&plane| self.lead(moment, v, plane).is_zero())
     }
 
@@ -374,6 +414,18 @@ impl Planes {
             .then_with(|| self.compare_coordinate(moment, u, v, true))
     }
 
+    /// Compares one coordinate of two vertices at a moment, if f64 can tell.
+    pub(crate) fn compare_coordinate_roughly(
+        &self,
+        moment: &Moment,
+        u: [PlaneId; 2],
+        v: [PlaneId; 2],
+        ordinate: bool,
+    ) -> Option<Ordering> {
+        self.decide_roughly(&SignAt(moment, &Difference(u, v, ordinate)))
+            .map(Sign::ordering)
+    }
+
     /// Compares one coordinate of two vertices at a moment.
     pub(crate) fn compare_coordinate(
         &self,
@@ -384,6 +436,26 @@ impl Planes {
     ) -> Ordering {
         self.sign_at(moment, &Difference(u, v, ordinate)).ordering()
     }
+}
+
+/// The order of a moment and the falling root of a polynomial, from the signs of its parts at the
+/// moment.
+fn order_by_signs(sign: impl Fn(Part) -> Option<Sign>) -> Option<Ordering> {
+    Some(match (sign(Part::Value)?, sign(Part::Slope)?) {
+        // On the falling branch.
+        (Sign::Positive, Sign::Negative) => Ordering::Less,
+        (Sign::Zero, Sign::Negative | Sign::Zero) => Ordering::Equal,
+        // Rising: a concave curve falls later, a convex one fell before.
+        (_, Sign::Positive) | (Sign::Positive, Sign::Zero) => {
+            if sign(Part::Curvature)?.is_negative() {
+                Ordering::Less
+            } else {
+                Ordering::Greater
+            }
+        }
+        // Below zero and not rising: past the root.
+        (Sign::Negative, Sign::Negative | Sign::Zero) => Ordering::Greater,
+    })
 }
 
 /// The D of a meeting: constant.
@@ -403,8 +475,7 @@ struct Crossing([PlaneId; 2], [PlaneId; 2]);
 impl Curve for Crossing {
     const LINEAR: bool = true;
     fn coefficients<T: Rung>(&self, planes: &Planes) -> Option<Quadratic<T>> {
-        let [x0, x1] = difference::<T>(planes, self.0, self.1, false);
-        let [y0, y1] = difference::<T>(planes, self.0, self.1, true);
+        let [[x0, x1], [y0, y1]] = differences::<T>(planes, self.0, self.1);
         Some([x0.times(&y1).minus(&x1.times(&y0)), T::zero(), T::zero()])
     }
 }

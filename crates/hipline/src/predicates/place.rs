@@ -2,8 +2,8 @@
 
 use dashu_int::IBig;
 use hipline_num::{
-    BallDd, Number, Sign, Surd, compare_quotient_f64, f64_to_parts, round_ball_dd_plus,
-    round_quotient_plus,
+    BallDd, Fixed, Integer, Limbs, Number, Sign, Surd, compare_quotient_f64, f64_to_parts,
+    round_ball_dd_plus, round_fixed_plus, round_quotient_plus,
 };
 use std::cmp::Ordering;
 
@@ -389,6 +389,14 @@ impl Planes {
         if let [Some(x), Some(y), Some(t)] = fast {
             return [x, y, t];
         }
+        let fast = if self.is_on_grid() {
+            self.round_fixed::<i128>(place, fast)
+        } else {
+            self.round_fixed::<Limbs>(place, fast)
+        };
+        if let [Some(x), Some(y), Some(t)] = fast {
+            return [x, y, t];
+        }
         let exact = point::<Surd>(self, place);
         [
             fast[0].unwrap_or_else(|| {
@@ -400,6 +408,26 @@ impl Planes {
             fast[2].unwrap_or_else(|| {
                 round_quotient_plus(&exact.time, &exact.since, self.time_unit, 0.0)
             }),
+        ]
+    }
+
+    /// What is missing of `x`, `y` and time of a place, from double-doubles of exact numbers.
+    fn round_fixed<I: Integer>(&self, place: &Place, found: [Option<f64>; 3]) -> [Option<f64>; 3] {
+        let Point {
+            x,
+            y,
+            w,
+            time,
+            since,
+        } = point::<Fixed<I>>(self, place);
+        let [u, v] = self.origin;
+        let quotient = |p: &Fixed<I>, q: &Fixed<I>, unit: i32, origin: f64| {
+            round_fixed_plus(p.to_fine_ball_dd()?, q.to_fine_ball_dd()?, unit, origin)
+        };
+        [
+            found[0].or_else(|| quotient(&x, &w, self.unit, u)),
+            found[1].or_else(|| quotient(&y, &w, self.unit, v)),
+            found[2].or_else(|| quotient(&time, &since, self.time_unit, 0.0)),
         ]
     }
 

@@ -7,13 +7,17 @@
 //! them small on grids. The root is the only irrational number in the plane.
 
 use dashu_int::{IBig, ops::Gcd, ops::UnsignedAbs};
-use hipline_num::{Ball, BallDd, Number, Rungs, Sign, Surd, Wide, f64_to_parts, perfect_root};
+use hipline_num::{
+    Ball, BallDd, Fixed, Integer, Limbs, Number, Rungs, Sign, Surd, Wide, f64_to_parts,
+    perfect_root,
+};
 use std::cell::Cell;
 
 use super::grid::{common_unit, gcd, scaled, scaled_small};
 use super::{
     Terminal,
     expression::Quadratic,
+    fixed::Lengths,
     root::{ball_root, dd_root, wide_root},
 };
 use crate::input::Figure;
@@ -46,13 +50,13 @@ pub(crate) struct Plane<T> {
 
 /// A line with coprime integer normal.
 #[derive(Debug, Clone)]
-enum Line {
+pub(super) enum Line {
     Small { a: i64, b: i64, c: i128 },
     Big(Box<[IBig; 3]>),
 }
 
 impl Line {
-    fn integers(&self) -> [IBig; 3] {
+    pub(super) fn integers(&self) -> [IBig; 3] {
         match self {
             Self::Small { a, b, c } => [IBig::from(*a), IBig::from(*b), IBig::from(*c)],
             Self::Big(abc) => (**abc).clone(),
@@ -71,7 +75,10 @@ struct Speeds {
 /// All planes of a figure.
 #[derive(Debug)]
 pub(crate) struct Planes {
-    lines: Vec<Line>,
+    pub(super) lines: Vec<Line>,
+    pub(super) lengths: Lengths,
+    /// Whether coordinates are so small that many polynomials in them fit machine integers.
+    grid: bool,
     balls: Vec<[Ball; 4]>,
     doubles: Vec<[BallDd; 4]>,
     /// `None`: every speed is one.
@@ -170,7 +177,7 @@ impl Rung for BallDd {
 }
 
 /// `p` and `q` with the given time = `p / q`, in the unit that meetings are in.
-fn exact_time(planes: &Planes, time: f64) -> [IBig; 2] {
+pub(super) fn exact_time(planes: &Planes, time: f64) -> [IBig; 2] {
     let (mantissa, exponent) = f64_to_parts(time);
     let shift = exponent - planes.time_unit;
     let power = |digits: i32| IBig::ONE << digits.max(0) as usize;
@@ -264,6 +271,9 @@ fn nearest(value: &BallDd) -> Ball {
     )
 }
 
+/// Coordinates with up to this many binary digits are asked for in i128 before double-double.
+const GRID: i32 = 32;
+
 /// Coordinates with up to this many binary digits take the path of machine integers.
 const SMALL: i32 = 60;
 
@@ -290,6 +300,8 @@ impl Planes {
         let shift = if bits > 53 { bits - 30 } else { 0 };
         let mut planes = Self {
             lines: Vec::with_capacity(figure.edges().len() + terminals.len()),
+            lengths: Lengths::default(),
+            grid: bits <= GRID,
             balls: Vec::with_capacity(figure.edges().len() + terminals.len()),
             doubles: Vec::with_capacity(figure.edges().len() + terminals.len()),
             speeds: None,
@@ -429,48 +441,6 @@ impl Planes {
         }
     }
 
-    /// `N` and `D` of a meeting in integers: `D` as coefficients of square roots, by radicand.
-    fn formal_meeting(&self, triple: [PlaneId; 3]) -> (IBig, Vec<(IBig, IBig)>) {
-        let [i, j, k] = triple.map(|id| {
-            let [a, b, c] = self.lines[(id.0 >> 1) as usize].integers();
-            if id.0 & 1 == 0 {
-                [a, b, c]
-            } else {
-                [-a, -b, -c]
-            }
-        });
-        let minor = |p: &[IBig; 3], q: &[IBig; 3]| &p[0] * &q[1] - &q[0] * &p[1];
-        let minors = [minor(&j, &k), minor(&k, &i), minor(&i, &j)];
-        let n = &minors[0] * &i[2] + &minors[1] * &j[2] + &minors[2] * &k[2];
-        let mut d: Vec<(IBig, IBig)> = Vec::with_capacity(3);
-        for ((m, line), id) in minors.into_iter().zip([i, j, k]).zip(triple) {
-            let radicand = &line[0] * &line[0] + &line[1] * &line[1];
-            let m = match &self.speeds {
-                Some(speeds) => m * &speeds.exact[id.0 as usize],
-                None => m,
-            };
-            match d.iter_mut().find(|(r, _)| *r == radicand) {
-                Some((_, sum)) => *sum += m,
-                None => d.push((radicand, m)),
-            }
-        }
-        d.retain(|(_, m)| *m != IBig::ZERO);
-        d.sort_unstable();
-        (n, d)
-    }
-
-    /// Whether two meetings are at one time for the simple reason that `N1 D2` and `N2 D1`
-    /// are the same coefficients of the same roots. Exact where it says yes; `N` and `D` do not
-    /// change when a figure is moved, so it says yes for copies of one shape.
-    pub(crate) fn meet_evidently_together(&self, s: [PlaneId; 3], t: [PlaneId; 3]) -> bool {
-        let ((n1, d1), (n2, d2)) = (self.formal_meeting(s), self.formal_meeting(t));
-        d1.len() == d2.len()
-            && d1
-                .iter()
-                .zip(&d2)
-                .all(|((r1, c1), (r2, c2))| r1 == r2 && &n1 * c2 == &n2 * c1)
-    }
-
     /// Which of two planes is the faster one?
     pub(crate) fn compare_speeds(&self, i: PlaneId, j: PlaneId) -> std::cmp::Ordering {
         match &self.speeds {
@@ -506,14 +476,30 @@ impl Planes {
         self.decide_slowly(question)
     }
 
+    /// The answer of the first rung, if it has one.
+    pub(super) fn decide_roughly<Q: Question>(&self, question: &Q) -> Option<Sign> {
+        let sign = question.ask::<Ball>(self)?;
+        let mut rungs = self.rungs.get();
+        rungs.by_f64 += 1;
+        self.rungs.set(rungs);
+        Some(sign)
+    }
+
     #[cold]
     fn decide_slowly<Q: Question>(&self, question: &Q) -> Sign {
         let mut rungs = self.rungs.get();
-        let sign = if let Some(sign) = question.ask::<BallDd>(self) {
+        let sign = if let Some(sign) = self.ask_on_grid(question) {
+            rungs.by_exact += 1;
+            sign
+        } else if let Some(sign) = question.ask::<BallDd>(self) {
             rungs.by_double_double += 1;
             sign
-        } else if let Some(sign) = question.ask::<Wide>(self) {
-            rungs.by_wide += 1;
+        } else if let Some((sign, exact)) = self.ask_further(question) {
+            if exact {
+                rungs.by_exact += 1;
+            } else {
+                rungs.by_wide += 1;
+            }
             sign
         } else {
             rungs.by_exact += 1;
@@ -522,12 +508,59 @@ impl Planes {
         self.rungs.set(rungs);
         sign
     }
+
+    /// The answer of exact numbers of a fixed width or of 400 digits, and whether it is the former's.
+    fn ask_further<Q: Question>(&self, question: &Q) -> Option<(Sign, bool)> {
+        let fixed = || question.ask_fixed::<Limbs>(self).map(|sign| (sign, true));
+        let wide = || question.ask::<Wide>(self).map(|sign| (sign, false));
+        if question.is_steep() {
+            wide().or_else(fixed)
+        } else {
+            fixed().or_else(wide)
+        }
+    }
+
+    /// Whether coordinates are so small that many polynomials in them fit machine integers.
+    pub(crate) const fn is_on_grid(&self) -> bool {
+        self.grid
+    }
+
+    /// The answer in machine integers, where these are likely to hold it. There, what f64 cannot
+    /// tell is nearly always zero, which double-double cannot tell either.
+    fn ask_on_grid<Q: Question>(&self, question: &Q) -> Option<Sign> {
+        if self.grid {
+            question.ask_fixed::<i128>(self)
+        } else {
+            None
+        }
+    }
+
+    /// The answer in exact numbers of a fixed width, if they hold it; it is counted.
+    pub(super) fn decide_fixed<Q: Question>(&self, question: &Q) -> Option<Sign> {
+        let sign = self
+            .ask_on_grid(question)
+            .or_else(|| question.ask_fixed::<Limbs>(self))?;
+        let mut rungs = self.rungs.get();
+        rungs.by_exact += 1;
+        self.rungs.set(rungs);
+        Some(sign)
+    }
 }
 
 /// A question whose answer is a sign, to be asked of each rung in turn.
 pub(crate) trait Question {
     /// The answer in the numbers of one rung, or `None` where it abstains.
     fn ask<T: Rung>(&self, planes: &Planes) -> Option<Sign>;
+
+    /// Whether exact numbers have so many terms that 400 digits are cheaper.
+    fn is_steep(&self) -> bool {
+        false
+    }
+
+    /// The answer in exact numbers of a fixed width.
+    fn ask_fixed<I: Integer>(&self, planes: &Planes) -> Option<Sign> {
+        self.ask::<Fixed<I>>(planes)
+    }
 
     /// The answer in exact numbers, which never abstain.
     fn ask_exactly(&self, planes: &Planes) -> Sign {

@@ -61,6 +61,35 @@ pub(super) mod wide_root {
     }
 }
 
+/// A number of the sign that a polynomial has at the falling root of another.
+pub(super) enum AtRoot<T> {
+    /// The number itself.
+    Value(T),
+    /// a + b sqrt(delta).
+    Sum(T, T, T),
+}
+
+/// The sign of f at the falling root of g, as far as it takes no root; `None` if the degree
+/// of g cannot be told.
+pub(super) fn at_root<T: Number>(f: &Quadratic<T>, g: &Quadratic<T>) -> Option<AtRoot<T>> {
+    if g[2].sign()?.is_zero() {
+        // A line: t = -g0 / g1.
+        let linear = f[0].times(&g[1]).minus(&f[1].times(&g[0]));
+        let value = linear.times(&g[1]);
+        if f[2].sign()?.is_zero() {
+            return Some(AtRoot::Value(value));
+        }
+        let value = value.plus(&f[2].times(&g[0].times(&g[0])));
+        return Some(AtRoot::Value(value));
+    }
+    // g2 f - f2 g = p1 t + p0; at t = (-g1 - sqrt(disc)) / 2 g2, times 2 g2 (and g2
+    // twice in all, a square): 2 g2 p0 - p1 g1 - p1 sqrt(disc).
+    let p1 = g[2].times(&f[1]).minus(&f[2].times(&g[1]));
+    let p0 = g[2].times(&f[0]).minus(&f[2].times(&g[0]));
+    let a = double(&g[2].times(&p0)).minus(&p1.times(&g[1]));
+    Some(AtRoot::Sum(a, p1.negated(), discriminant(g)))
+}
+
 /// Bounds of a falling root that is not negative, where its denominator may be zero: such a
 /// root is far away, and that is worth knowing.
 pub(super) fn root_bounds(g: &Quadratic<BallDd>) -> Bounds {
