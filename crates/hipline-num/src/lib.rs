@@ -22,6 +22,7 @@ mod ball;
 mod ball_dd;
 mod dyadic;
 mod number;
+mod rough;
 mod rounding;
 mod rungs;
 mod sign;
@@ -34,6 +35,7 @@ pub use ball::Ball;
 pub use ball_dd::BallDd;
 pub use dyadic::{f64_to_parts, ilog2};
 pub use number::Number;
+pub use rough::Rough;
 pub use rounding::{
     compare_quotient_f64, round_ball_dd, round_ball_dd_plus, round_quotient, round_quotient_plus,
 };

@@ -19,7 +19,7 @@ use std::cmp::Ordering;
 use super::{
     Kinetic,
     schedule::{corner, meeting_moment},
-    triangulation::{Across, Tip, next, prev},
+    triangulation::{Across, Spokes, Tip, next, prev},
     wavefront::{End, EventNode, Trace, Walk, Wave},
 };
 use crate::predicates::{Area, Direction, Moment, Part, PlaneId};
@@ -84,10 +84,7 @@ impl Kinetic<'_> {
         // Sides that are wavefront edges are asked first: they share a plane with both of
         // their ends, which makes it cheap.
         for k in (0..3).filter(|&k| waves[k].is_some()) {
-            if self
-                .compare_tips(triangle.tips[next(k)], triangle.tips[prev(k)])
-                .is_eq()
-            {
+            if self.coincide(triangle.tips[next(k)], triangle.tips[prev(k)]) {
                 return Shape::Zero(k);
             }
         }
@@ -163,13 +160,19 @@ impl Kinetic<'_> {
         self.planes.sign_at(&self.now, &Area(corners, Part::Value))
     }
 
+    /// Whether two vertices are at one place now.
+    fn coincide(&self, u: Tip, v: Tip) -> bool {
+        let [u, v] = [u, v].map(|tip| tip.trace().expect("a finite corner"));
+        let pair = |x| self.front.trace(x).pair;
+        self.known_same(u, v) || self.planes.coincide(&self.now, pair(u), pair(v))
+    }
+
     /// Compares two places now, by x, then y.
     fn compare_tips(&self, u: Tip, v: Tip) -> Ordering {
         let [u, v] = [u, v].map(|tip| tip.trace().expect("a finite corner"));
         if self.known_same(u, v) {
             return Ordering::Equal;
         }
-
         self.planes.compare_places(
             &self.now,
             self.front.trace(u).pair,
@@ -278,8 +281,8 @@ impl Kinetic<'_> {
         });
         let node = self.common_node(u, v);
         let (at_u, at_v) = (*self.front.trace(u), *self.front.trace(v));
-        let fan_u: Vec<_> = self.triangulation.fan(at_u.out).collect();
-        let fan_v: Vec<_> = self.triangulation.fan(at_v.out).collect();
+        let fan_u: Spokes = self.triangulation.fan(at_u.out).collect();
+        let fan_v: Spokes = self.triangulation.fan(at_v.out).collect();
         self.front.trace_mut(u).end = End::At(node);
         self.front.trace_mut(v).end = End::At(node);
         if let Some(wave) = triangle.across[k].wave() {
@@ -342,7 +345,7 @@ impl Kinetic<'_> {
     fn close(&mut self, x: TraceId, w: TraceId, a: WaveId, b: WaveId) {
         debug_assert!(self.front.trace(x).inn == b && self.front.trace(x).out == a);
         debug_assert!(self.front.trace(w).inn == a && self.front.trace(w).out == b);
-        let node = if self.compare_tips(x.into(), w.into()).is_eq() {
+        let node = if self.coincide(x.into(), w.into()) {
             self.common_node(x, w)
         } else {
             self.node_now(w)
@@ -368,7 +371,7 @@ impl Kinetic<'_> {
         });
         let node = self.node_now(w);
         let at_w = *self.front.trace(w);
-        let fan: Vec<_> = self.triangulation.fan(at_w.out).collect();
+        let fan: Spokes = self.triangulation.fan(at_w.out).collect();
         self.front.trace_mut(w).end = End::At(node);
         // `wave` keeps the part from u to the new vertex `end`; the new wavefront edge goes
         // from the new vertex `start` to v.

@@ -9,7 +9,7 @@ use super::{
     Batch, Kinetic,
     queue::Queue,
     schedule::Agenda,
-    triangulation::{Across, Tip, Triangle, Triangulation, next, prev},
+    triangulation::{Across, Spokes, Tip, Triangle, Triangulation, next, prev},
     wavefront::{End, Trace, Walk, Wave, Wavefront},
 };
 use crate::{
@@ -176,9 +176,9 @@ impl<'a> Kinetic<'a> {
         // Each wavefront edge starts in one sector.
         for out in (0..self.front.waves.len()).map(WaveId::new) {
             let x = TraceId::new(self.front.traces.len());
-            let fan: Vec<_> = self.triangulation.fan(out).collect();
-            let &(last, corner) = fan.last().expect("a wavefront edge bounds a triangle");
-            let (first, at) = fan[0];
+            let mut fan = self.triangulation.fan(out);
+            let (first, at) = fan.next().expect("a wavefront edge bounds a triangle");
+            let (last, corner) = fan.last().unwrap_or((first, at));
             let vertex = self.triangulation.get(first).tips[at]
                 .trace()
                 .expect("a vertex");
@@ -201,7 +201,7 @@ impl<'a> Kinetic<'a> {
         // Now that every sector is known, rename the corners.
         for out in (0..self.front.waves.len()).map(WaveId::new) {
             let x = TraceId::new(out.index());
-            let fan: Vec<_> = self.triangulation.fan(out).collect();
+            let fan: Spokes = self.triangulation.fan(out).collect();
             for (t, corner) in fan {
                 self.triangulation.triangles[t.index()].tips[corner] = x.into();
             }
@@ -287,7 +287,7 @@ impl<'a> Kinetic<'a> {
         let cap_plane = self.terminal_plane(terminal);
         let cap_face = (2 * self.figure.edges().len() + terminal) as u32;
         let trace = *self.front.trace(x);
-        let fan: Vec<_> = self.triangulation.fan(trace.out).collect();
+        let fan: Spokes = self.triangulation.fan(trace.out).collect();
         // A spoke ahead of the terminal's wavefront edge: there is one, because no angle
         // between spokes reaches 180 degrees.
         let ahead = |&(t, corner): &(TriangleId, usize)| {

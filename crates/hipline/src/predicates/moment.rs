@@ -4,7 +4,7 @@
 //! vertices happen at the root of a quadratic. Every question about a moment is the sign
 //! of a polynomial in time, of degree two at most, at that moment.
 
-use hipline_num::{Ball, BallDd, Number, Sign, Surd, Wide};
+use hipline_num::{Ball, BallDd, Number, Rough, Sign, Surd, Wide};
 use std::cmp::Ordering;
 
 use super::{
@@ -111,6 +111,9 @@ struct SignAt<'a, C>(&'a Moment, &'a C);
 impl<C: Curve> Question for SignAt<'_, C> {
     #[inline]
     fn ask<T: Rung>(&self, planes: &Planes) -> Option<Sign> {
+        if !T::HAS_ROOTS && matches!(self.0, Moment::Root(_)) {
+            return None;
+        }
         let f = self.1.coefficients::<T>(planes)?;
         match self.0 {
             Moment::Start => f[0].sign(),
@@ -174,6 +177,15 @@ impl Bounds {
         low: 0.0,
         high: 0.0,
     };
+
+    /// Those of a ball, if they are close.
+    #[inline]
+    fn narrow(t: &Ball) -> Option<Self> {
+        (t.error() <= t.value().abs() * WIDE).then(|| Self {
+            low: t.lower(),
+            high: t.upper(),
+        })
+    }
 
     /// The order of two moments, where the bounds decide it.
     #[inline]
@@ -247,22 +259,24 @@ impl Planes {
         match moment {
             Moment::Start => Bounds::START,
             Moment::Planes(triple) => {
-                let (n, d) = meeting::<Ball>(self, *triple);
+                let (n, d) = meeting::<Rough>(self, *triple);
                 self.bounds_of_meeting(*triple, &n, &d)
             }
             Moment::Root(corners) => {
+                let g = area::<Rough>(self, *corners);
+                if !g.iter().all(Rough::may_be_exact) {
+                    let near = ball_root::falling_root(&g.map(|c| c.ball()));
+                    if let Some(bounds) = near.and_then(|t| Bounds::narrow(&t)) {
+                        return bounds;
+                    }
+                }
                 let g = area::<Ball>(self, *corners);
                 if let Some(t) = exact_root(&g) {
                     return Bounds { low: t, high: t };
                 }
-                let ball = ball_root::falling_root(&g);
-                if let Some(t) = ball
-                    && t.error() <= t.value().abs() * WIDE
-                {
-                    return Bounds {
-                        low: t.lower(),
-                        high: t.upper(),
-                    };
+                let near = ball_root::falling_root(&g);
+                if let Some(bounds) = near.and_then(|t| Bounds::narrow(&t)) {
+                    return bounds;
                 }
                 let g = area::<BallDd>(self, *corners);
                 match dd_root::falling_root(&g) {
@@ -276,16 +290,23 @@ impl Planes {
         }
     }
 
-    fn bounds_of_meeting(&self, triple: [PlaneId; 3], n: &Ball, d: &Ball) -> Bounds {
-        if let Some(t) = exact_quotient(n, d) {
+    /// Bounds of a meeting whose N and D are known roughly.
+    fn bounds_of_meeting(&self, triple: [PlaneId; 3], n: &Rough, d: &Rough) -> Bounds {
+        if !(n.may_be_exact() && d.may_be_exact())
+            && let Some(bounds) = Bounds::narrow(&n.ball().negated().div(&d.ball()))
+        {
+            return bounds;
+        }
+        self.closer_bounds_of_meeting(triple)
+    }
+
+    fn closer_bounds_of_meeting(&self, triple: [PlaneId; 3]) -> Bounds {
+        let (n, d) = meeting::<Ball>(self, triple);
+        if let Some(t) = exact_quotient(&n, &d) {
             return Bounds { low: t, high: t };
         }
-        let t = n.negated().div(d);
-        if t.error() <= t.value().abs() * WIDE {
-            return Bounds {
-                low: t.lower(),
-                high: t.upper(),
-            };
+        if let Some(bounds) = Bounds::narrow(&n.negated().div(&d)) {
+            return bounds;
         }
         let (n, d) = meeting::<BallDd>(self, triple);
         let t = n.negated().div(&d);
@@ -352,11 +373,29 @@ impl Planes {
         if vertex.contains(&plane) || *moment == Moment::of_planes([vertex[0], vertex[1], plane]) {
             return Sign::Zero;
         }
+        // Where parallel planes meet a third one, they have one line.
+        if let Moment::Planes(triple) = moment
+            && triple.contains(&plane)
+            && (vertex.iter()).any(|&i| triple.contains(&i) && self.turn(i, plane).is_zero())
+        {
+            return Sign::Zero;
+        }
         self.sign_at(moment, &Lead(vertex, plane))
     }
 
     /// Whether two vertices are at one place: each plane of one passes through the other.
-    fn coincide(&self, moment: &Moment, u: [PlaneId; 2], v: [PlaneId; 2]) -> bool {
+    pub(crate) fn coincide(&self, moment: &Moment, u: [PlaneId; 2], v: [PlaneId; 2]) -> bool {
+        // That a vertex is off any of the planes may be easier to see than that it is on another.
+        let off = |vertex: [PlaneId; 2], plane: PlaneId| {
+            !vertex.contains(&plane)
+                && SignAt(moment, &Lead(vertex, plane))
+                    .ask::<Rough>(self)
+                    .is_some_and(|sign| !sign.is_zero())
+        };
+        if u.iter().any(|&plane| off(v, plane)) || v.iter().any(|&plane| off(u, plane)) {
+            self.count_f64();
+            return false;
+        }
         u.iter().all(|&plane| self.lead(moment, v, plane).is_zero())
     }
 
@@ -418,7 +457,7 @@ impl Planes {
     /// Bounds of the moment when three planes meet, if their D has the given sign.
     #[inline]
     pub(crate) fn meeting_if(&self, triple: [PlaneId; 3], sign: Sign) -> Option<Bounds> {
-        let (n, d) = meeting::<Ball>(self, triple);
+        let (n, d) = meeting::<Rough>(self, triple);
         match d.sign() {
             Some(found) if found != sign => None,
             Some(_) => Some(self.bounds_of_meeting(triple, &n, &d)),
@@ -435,9 +474,10 @@ impl Planes {
     /// Bounds of the moment after `now` at which a triangle, of positive area now, becomes
     /// flat, if it does.
     pub(crate) fn falling_root(&self, now: &Moment, corners: [Corner; 3]) -> Option<Bounds> {
-        let g = area::<Ball>(self, corners);
-        let part = |part, ball: &Ball| {
-            ball.sign()
+        let g = area::<Rough>(self, corners);
+        let part = |part, rough: &Rough| {
+            rough
+                .sign()
                 .unwrap_or_else(|| self.sign_of(&Area(corners, part)))
         };
         let falls = || self.sign_at(now, &Area(corners, Part::Slope)).is_negative();

@@ -7,7 +7,9 @@
 //! them small on grids. The root is the only irrational number in the plane.
 
 use dashu_int::{IBig, ops::Gcd, ops::UnsignedAbs};
-use hipline_num::{Ball, BallDd, Number, Rungs, Sign, Surd, Wide, f64_to_parts, perfect_root};
+use hipline_num::{
+    Ball, BallDd, Number, Rough, Rungs, Sign, Surd, Wide, f64_to_parts, perfect_root,
+};
 use std::cell::Cell;
 
 use super::grid::{common_unit, gcd, scaled, scaled_small};
@@ -15,6 +17,7 @@ use super::{
     Terminal,
     expression::Quadratic,
     root::{ball_root, dd_root, wide_root},
+    rough,
 };
 use crate::input::Figure;
 
@@ -72,7 +75,8 @@ struct Speeds {
 #[derive(Debug)]
 pub(crate) struct Planes {
     lines: Vec<Line>,
-    balls: Vec<[Ball; 4]>,
+    /// See [`rough::line`].
+    pub(super) roughs: Vec<[f64; 4]>,
     doubles: Vec<[BallDd; 4]>,
     /// `None`: every speed is one.
     speeds: Option<Speeds>,
@@ -90,6 +94,8 @@ pub(crate) struct Planes {
 
 /// A rung of the ladder: numbers that planes can be asked for in.
 pub(crate) trait Rung: Number {
+    /// Whether [`Rung::falling_root`] ever answers.
+    const HAS_ROOTS: bool = true;
     /// `[a, b, c, length of the normal]` of a line.
     fn line(planes: &Planes, line: usize) -> [Self; 4];
     /// An integer, in the approximations without its last `shift` binary digits.
@@ -121,7 +127,7 @@ pub(crate) trait Rung: Number {
 impl Rung for Ball {
     #[inline]
     fn line(planes: &Planes, line: usize) -> [Self; 4] {
-        planes.balls[line]
+        planes.doubles[line].each_ref().map(nearest)
     }
     fn time(planes: &Planes, time: f64) -> [Self; 2] {
         [
@@ -290,7 +296,7 @@ impl Planes {
         let shift = if bits > 53 { bits - 30 } else { 0 };
         let mut planes = Self {
             lines: Vec::with_capacity(figure.edges().len() + terminals.len()),
-            balls: Vec::with_capacity(figure.edges().len() + terminals.len()),
+            roughs: Vec::with_capacity(figure.edges().len() + terminals.len()),
             doubles: Vec::with_capacity(figure.edges().len() + terminals.len()),
             speeds: None,
             shift,
@@ -387,8 +393,7 @@ impl Planes {
             near(c, 2 * self.shift),
             length,
         ];
-        self.balls.push(doubles.each_ref().map(nearest));
-        self.doubles.push(doubles);
+        self.push_near(doubles);
         self.lines.push(Line::Small { a, b, c });
     }
 
@@ -407,9 +412,13 @@ impl Planes {
             BallDd::integer(&c, 2 * self.shift),
             length,
         ];
-        self.balls.push(doubles.each_ref().map(nearest));
-        self.doubles.push(doubles);
+        self.push_near(doubles);
         self.lines.push(Line::Big(Box::new([a, b, c])));
+    }
+
+    fn push_near(&mut self, doubles: [BallDd; 4]) {
+        self.roughs.push(rough::line(&doubles, self.shift == 0));
+        self.doubles.push(doubles);
     }
 
     /// The same plane: the same line, side and speed.
@@ -497,19 +506,28 @@ impl Planes {
     /// Asks one rung after the other until one answers.
     #[inline]
     pub(crate) fn decide<Q: Question>(&self, question: &Q) -> Sign {
+        let Some(sign) = question.ask::<Rough>(self) else {
+            return self.decide_slowly(question);
+        };
+        self.count_f64();
+        sign
+    }
+
+    /// Counts a decision in f64.
+    #[inline]
+    pub(super) fn count_f64(&self) {
         let mut rungs = self.rungs.get();
-        if let Some(sign) = question.ask::<Ball>(self) {
-            rungs.by_f64 += 1;
-            self.rungs.set(rungs);
-            return sign;
-        }
-        self.decide_slowly(question)
+        rungs.by_f64 += 1;
+        self.rungs.set(rungs);
     }
 
     #[cold]
     fn decide_slowly<Q: Question>(&self, question: &Q) -> Sign {
         let mut rungs = self.rungs.get();
-        let sign = if let Some(sign) = question.ask::<BallDd>(self) {
+        let sign = if let Some(sign) = question.ask::<Ball>(self) {
+            rungs.by_f64 += 1;
+            sign
+        } else if let Some(sign) = question.ask::<BallDd>(self) {
             rungs.by_double_double += 1;
             sign
         } else if let Some(sign) = question.ask::<Wide>(self) {
