@@ -135,6 +135,10 @@ impl Kinetic<'_> {
                 Ordering::Less => Shape::Flat(prev(k)),
             };
         }
+        let pairs = tips.map(|tip| self.front.trace(tip.trace().expect("a finite corner")).pair);
+        if let Some(k) = self.planes.middle(self.bounds, pairs) {
+            return Shape::Flat(k);
+        }
         let side = [0, 1, 2].map(|k| self.compare_tips(tips[next(k)], tips[prev(k)]));
         let across = self.triangulation.get(t).across;
         let zero = |k: &usize| side[*k].is_eq();

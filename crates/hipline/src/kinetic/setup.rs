@@ -50,6 +50,7 @@ impl<'a> Kinetic<'a> {
             queue: Queue::default(),
             agenda: Agenda::default(),
             now: Moment::Start,
+            bounds: Bounds::START,
             batch: Batch::default(),
             stats: Stats::default(),
         };

@@ -8,7 +8,7 @@ use hipline_num::{Ball, BallDd, Number, Rough, Sign, Surd, Wide};
 use std::cmp::Ordering;
 
 use super::{
-    expression::{Corner, Direction, Quadratic, area, difference, lead, meeting, minor},
+    expression::{Corner, Direction, Path, Quadratic, area, difference, lead, meeting, minor},
     planes::{PlaneId, Planes, Question, Rung},
     root::{ball_root, dd_root, discriminant, double, exact_root, root_bounds, wide_root},
 };
@@ -127,8 +127,7 @@ impl<C: Curve> Question for SignAt<'_, C> {
                 }
             }
             Moment::Root(corners) => {
-                let g = area::<T>(planes, *corners);
-                let t = T::falling_root(&g)?;
+                let t = T::flat_at(planes, *corners)?;
                 f[2].times(&t).plus(&f[1]).times(&t).plus(&f[0]).sign()
             }
         }
@@ -411,6 +410,35 @@ impl Planes {
         }
         self.compare_coordinate(moment, u, v, false)
             .then_with(|| self.compare_coordinate(moment, u, v, true))
+    }
+
+    /// Which of three vertices on one line is strictly between the others at a moment, if f64
+    /// tells.
+    pub(crate) fn middle(&self, now: Bounds, vertices: [[PlaneId; 2]; 3]) -> Option<usize> {
+        let half = (now.high - now.low) / 2.0;
+        // Twice the half covers the roundings of it and of the mean, but for those of a ball.
+        let ulp = now.high.next_up() - now.high;
+        let t = Ball::new(now.low + half, 2.0 * half + ulp);
+        let paths = vertices.map(|pair| Path::<Ball>::new(self, pair));
+        let between = |z: [Ball; 3]| {
+            let [below, above] = [0, 1].map(|side| {
+                [0, 1, 2].map(|k| {
+                    if side == 0 {
+                        z[k].lower()
+                    } else {
+                        z[k].upper()
+                    }
+                })
+            });
+            (0..3).find(|&k| {
+                let [i, j] = [(k + 1) % 3, (k + 2) % 3];
+                (above[i] < below[k] && above[k] < below[j])
+                    || (above[j] < below[k] && above[k] < below[i])
+            })
+        };
+        let at = |z: &[Ball; 2], m: &Ball| z[0].plus(&z[1].times(&t)).div(m);
+        between(paths.each_ref().map(|path| at(&path.x, &path.m)))
+            .or_else(|| between(paths.each_ref().map(|path| at(&path.y, &path.m))))
     }
 
     /// Compares one coordinate of two vertices at a moment.

@@ -15,7 +15,7 @@ use std::cell::Cell;
 use super::grid::{common_unit, gcd, scaled, scaled_small};
 use super::{
     Terminal,
-    expression::Quadratic,
+    expression::{Corner, Quadratic, area},
     root::{ball_root, dd_root, wide_root},
     rough,
 };
@@ -90,6 +90,8 @@ pub(crate) struct Planes {
     pub time_unit: i32,
     /// How often each rung answered.
     pub rungs: Cell<Rungs>,
+    /// The root asked for last: several questions are asked of one moment.
+    last_root: Cell<Option<([Corner; 3], Ball)>>,
 }
 
 /// A rung of the ladder: numbers that planes can be asked for in.
@@ -104,6 +106,10 @@ pub(crate) trait Rung: Number {
     fn time(planes: &Planes, time: f64) -> [Self; 2];
     /// Encloses the root of `g0 + g1 t + g2 t^2` at which it falls; only approximations can.
     fn falling_root(g: &Quadratic<Self>) -> Option<Self>;
+    /// The same of a triangle's area.
+    fn flat_at(planes: &Planes, corners: [Corner; 3]) -> Option<Self> {
+        Self::falling_root(&area(planes, corners))
+    }
 
     /// One plane.
     fn plane(planes: &Planes, id: PlaneId) -> Plane<Self> {
@@ -137,6 +143,16 @@ impl Rung for Ball {
     }
     fn falling_root(g: &Quadratic<Self>) -> Option<Self> {
         ball_root::falling_root(g)
+    }
+    fn flat_at(planes: &Planes, corners: [Corner; 3]) -> Option<Self> {
+        if let Some((of, root)) = planes.last_root.get()
+            && of == corners
+        {
+            return Some(root);
+        }
+        let root = Self::falling_root(&area(planes, corners))?;
+        planes.last_root.set(Some((corners, root)));
+        Some(root)
     }
     fn integer(value: &IBig, shift: i32) -> Self {
         let ball = Self::from_int(value);
@@ -304,6 +320,7 @@ impl Planes {
             origin,
             time_unit: unit,
             rungs: Cell::default(),
+            last_root: Cell::default(),
         };
         // With bits <= SMALL the differences have one more digit, c has 2 SMALL + 3.
         if bits <= SMALL {
