@@ -100,6 +100,7 @@ impl Rough {
     }
 
     /// Whether a [`Ball`] made by the same operations might be known to be an integer.
+    #[expect(clippy::float_cmp, reason = "asks for integers themselves")]
     #[inline]
     #[must_use]
     pub fn may_be_exact(&self) -> bool {

@@ -13,7 +13,7 @@ use super::{
     wavefront::{End, Trace, Walk, Wave, Wavefront},
 };
 use crate::{
-    input::{Figure, MeshEdge},
+    input::{Figure, Mesh, MeshEdge},
     predicates::{Bounds, Direction, Moment, PlaneId, Planes, Terminal},
     skeleton::{Region, Stats},
     topology::{TraceId, TriangleId, WaveId},
@@ -33,6 +33,32 @@ fn frame(from: [f64; 2], to: [f64; 2]) -> usize {
     } else {
         3
     }
+}
+
+/// Stands for a side of an edge that bounds no triangle.
+const NO_SIDE: (TriangleId, u8) = (TriangleId::raw(u32::MAX), 0);
+
+/// The triangles that are kept, in the order of their first vertices. An input mostly goes along
+/// its shape, so that what is near each other in the plane is so in memory.
+fn along_input(mesh: &Mesh, vertices: usize, kept: impl Fn(usize) -> bool) -> Vec<u32> {
+    let first = |t: usize| {
+        let [a, b, c] = mesh.corners[t];
+        a.min(b).min(c) as usize
+    };
+    let mut next = vec![0_u32; vertices + 1];
+    for t in (0..mesh.corners.len()).filter(|&t| kept(t)) {
+        next[first(t) + 1] += 1;
+    }
+    for v in 0..vertices {
+        next[v + 1] += next[v];
+    }
+    let mut order = vec![0; next[vertices] as usize];
+    for t in (0..mesh.corners.len()).filter(|&t| kept(t)) {
+        let place = &mut next[first(t)];
+        order[*place as usize] = t as u32;
+        *place += 1;
+    }
+    order
 }
 
 impl<'a> Kinetic<'a> {
@@ -67,13 +93,11 @@ impl<'a> Kinetic<'a> {
             Region::Exterior => !mesh.inside[t],
             Region::Auto | Region::Both => true,
         };
+        let order = along_input(mesh, self.figure.vertices().len(), kept);
+        let count = order.len();
         let mut number = vec![Across::NOTHING; mesh.corners.len()];
-        let mut count = 0;
-        for (t, number) in number.iter_mut().enumerate() {
-            if kept(t) {
-                *number = TriangleId::new(count).into();
-                count += 1;
-            }
+        for (i, &t) in order.iter().enumerate() {
+            number[t as usize] = TriangleId::new(i).into();
         }
         // Each hull edge has a triangle, and there are as many more as the frame has turns.
         let first_hull = count;
@@ -90,8 +114,9 @@ impl<'a> Kinetic<'a> {
                 Across::NOTHING
             }
         };
-        let mut edges: Vec<(TriangleId, usize, u32)> = Vec::with_capacity(waves);
-        for t in (0..mesh.corners.len()).filter(|&t| kept(t)) {
+        let start = |edge: u32| self.figure.edges()[edge as usize].from.index() as u32;
+        let mut sides = vec![NO_SIDE; waves];
+        for t in order.into_iter().map(|t| t as usize) {
             let id = self.triangulation.push(Triangle {
                 // Vertices for now, to be replaced by wavefront vertices.
                 tips: mesh.corners[t].map(|v| Tip::from(TraceId::new(v as usize))),
@@ -99,7 +124,8 @@ impl<'a> Kinetic<'a> {
             });
             for k in 0..3 {
                 if let Some(edge) = mesh.across[t][k].edge {
-                    edges.push((id, k, edge));
+                    let left = mesh.corners[t][next(k)] == start(edge);
+                    sides[2 * edge as usize + usize::from(!left)] = (id, k as u8);
                 }
             }
         }
@@ -119,15 +145,16 @@ impl<'a> Kinetic<'a> {
                     ],
                     across: [Across::NOTHING, Across::NOTHING, neighbour(&edge.across)],
                 });
-                if let Some(edge) = edge.across.edge {
-                    edges.push((id, 2, edge));
+                if let Some(e) = edge.across.edge {
+                    let left = edge.from == start(e);
+                    sides[2 * e as usize + usize::from(!left)] = (id, 2);
                 }
             }
             for i in 0..mesh.hull.len() {
                 self.fill_corner(first_hull, i, &direction);
             }
         }
-        self.add_waves(&edges);
+        self.add_waves(&sides);
         self.add_vertices();
     }
 
@@ -156,14 +183,19 @@ impl<'a> Kinetic<'a> {
         self.triangulation.attach(this, 0, last.into());
     }
 
-    fn add_waves(&mut self, edges: &[(TriangleId, usize, u32)]) {
-        for &(t, k, e) in edges {
-            let edge = &self.figure.edges()[e as usize];
-            let start = self.triangulation.get(t).tips[next(k)];
-            let left = start == Tip::from(TraceId::new(edge.from.index()));
-            let face = 2 * e + u32::from(!left);
+    /// One wavefront edge for each side of an edge that bounds a triangle, in the order of the
+    /// input: so the first arcs have that order, too.
+    fn add_waves(&mut self, sides: &[(TriangleId, u8)]) {
+        let count = sides.iter().filter(|&&side| side != NO_SIDE).count();
+        // Some will be split.
+        self.front.waves.reserve(count + count / 4);
+        for (face, &(t, k)) in sides.iter().enumerate() {
+            if (t, k) == NO_SIDE {
+                continue;
+            }
+            let face = face as u32;
             let wave = self.triangulation.push_wave(t);
-            self.triangulation.attach(t, k, wave.into());
+            self.triangulation.attach(t, k as usize, wave.into());
             self.front.waves.push(Wave {
                 plane: PlaneId(face),
                 face,

@@ -392,7 +392,7 @@ impl Planes {
                     .is_some_and(|sign| !sign.is_zero())
         };
         if u.iter().any(|&plane| off(v, plane)) || v.iter().any(|&plane| off(u, plane)) {
-            self.count_f64();
+            self.count(|rungs| rungs.by_f64 += 1);
             return false;
         }
         u.iter().all(|&plane| self.lead(moment, v, plane).is_zero())
@@ -561,7 +561,19 @@ impl Planes {
     /// negative to the right (reflex), zero if they are parallel.
     #[inline]
     pub(crate) fn turn(&self, i: PlaneId, j: PlaneId) -> Sign {
-        self.sign_of(&Between(i, j, false))
+        let between = Between(i, j, false);
+        if let Some(sign) = SignAt(&Moment::Start, &between).ask::<Rough>(self) {
+            self.count(|rungs| rungs.by_f64 += 1);
+            return sign;
+        }
+        // Parallel, as a rule.
+        match self.small_turn(i, j) {
+            Some(sign) => {
+                self.count(|rungs| rungs.by_exact += 1);
+                sign
+            }
+            None => self.sign_of(&between),
+        }
     }
 
     /// Whether two parallel planes move the same way.

@@ -262,6 +262,19 @@ fn small_root(square: u128) -> Option<u128> {
     reason = "the rest is kept"
 )]
 fn near(value: i128, shift: i32) -> BallDd {
+    // Machine words do for most.
+    if let Ok(word) = i64::try_from(value)
+        && word.unsigned_abs() < 1 << 62
+    {
+        let high = word as f64;
+        let low = (word - high as i64) as f64;
+        let error = if shift == 0 || word == 0 {
+            0.0
+        } else {
+            high.abs() * (2.0 * TINY)
+        };
+        return BallDd::new(high, low, error).ldexp(-shift);
+    }
     let high = value as f64;
     let rest = value - high as i128;
     let low = rest as f64;
@@ -455,6 +468,18 @@ impl Planes {
         }
     }
 
+    /// The sign of the turn from one plane to another, where the numbers of both lines are small.
+    pub(super) fn small_turn(&self, i: PlaneId, j: PlaneId) -> Option<Sign> {
+        let [Line::Small { a, b, .. }, Line::Small { a: p, b: q, .. }] =
+            [i, j].map(|id| &self.lines[(id.0 >> 1) as usize])
+        else {
+            return None;
+        };
+        let wide = |x: &i64, y: &i64| i128::from(*x) * i128::from(*y);
+        let sign = Sign::from(wide(a, q).cmp(&wide(p, b)));
+        Some(if (i.0 ^ j.0) & 1 == 0 { sign } else { -sign })
+    }
+
     /// `N` and `D` of a meeting in integers: `D` as coefficients of square roots, by radicand.
     fn formal_meeting(&self, triple: [PlaneId; 3]) -> (IBig, Vec<(IBig, IBig)>) {
         let [i, j, k] = triple.map(|id| {
@@ -526,15 +551,15 @@ impl Planes {
         let Some(sign) = question.ask::<Rough>(self) else {
             return self.decide_slowly(question);
         };
-        self.count_f64();
+        self.count(|rungs| rungs.by_f64 += 1);
         sign
     }
 
-    /// Counts a decision in f64.
+    /// Counts a decision.
     #[inline]
-    pub(super) fn count_f64(&self) {
+    pub(super) fn count(&self, by: impl FnOnce(&mut Rungs)) {
         let mut rungs = self.rungs.get();
-        rungs.by_f64 += 1;
+        by(&mut rungs);
         self.rungs.set(rungs);
     }
 
