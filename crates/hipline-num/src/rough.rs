@@ -13,21 +13,27 @@
 //! * a product has ε ≤ (ε₁ + ε₂ + ε₁·ε₂)·(1 + u) + u.
 //!
 //! A number that comes from outside has ε ≤ 4u. The deepest expressions of the predicates reach
-//! 130u; [`Rough::sign`] allows for 512u. In debug builds each number carries its ε, and
+//! 130u; [`Rough::sign`] allows for 160u, and [`Rough::ball`] for 48u. In debug builds each number carries its ε, and
 //! it is checked where a sign is given.
 //!
 //! *Underflow.* Numbers from outside are 0 or at least 2^-15 in size, and a monomial of ε below
-//! 256u has at most 64 of them. So no m underflows: if it is 0, so is each monomial, and v is
-//! exactly 0. Otherwise m is at least 2^-960. A product that underflows is off by 2^-1075; whatever
-//! it is multiplied by afterwards, m has been multiplied by as much, so that is at most 2^-115 of
+//! 160u has at most 40 of them. So no m underflows: if it is 0, so is each monomial, and v is
+//! exactly 0. Otherwise m is at least 2^-600. A product that underflows is off by 2^-1075; whatever
+//! it is multiplied by afterwards, m has been multiplied by as much, so that is at most 2^-475 of
 //! m, and vanishes in the allowance.
 //!
 //! *Overflow* makes m infinite, which withholds the sign.
 
 use crate::{Ball, Number, Sign};
 
-/// 512u.
-const ALLOWANCE: f64 = 512.0 * (f64::EPSILON / 2.0);
+/// The unit roundoff, 2^-53.
+const U: f64 = f64::EPSILON / 2.0;
+
+/// What the sign of any expression allows for, in units of u.
+const ANY: f64 = 160.0;
+
+/// What a ball allows for, in units of u: for short expressions.
+const SHORT: f64 = 48.0;
 
 /// From this size on a [`Ball`] is never known to be an integer.
 const EXACT: f64 = 9_007_199_254_740_992.0;
@@ -87,15 +93,16 @@ impl Rough {
         rough!(0.0, f64::INFINITY, 4.0)
     }
 
-    /// The same as a ball, whose error is 0 only if nothing but zeros went into it.
+    /// The same as a ball, whose error is 0 only if nothing but zeros went into it; for
+    /// expressions no deeper than the area of a triangle.
     #[inline]
     #[must_use]
     pub fn ball(&self) -> Ball {
-        self.check();
+        self.check(SHORT);
         if self.m == 0.0 {
             Ball::zero()
         } else {
-            Ball::new(self.v, self.m * ALLOWANCE)
+            Ball::new(self.v, self.m * (SHORT * U))
         }
     }
 
@@ -108,11 +115,11 @@ impl Rough {
     }
 
     #[inline(always)]
-    fn check(&self) {
-        // Half of the allowance pays for the factors (1 + u) and for the roundings of m.
+    fn check(&self, _allowance: f64) {
+        // What is left of the allowance pays for the factors 1 + u and for the roundings of m.
         #[cfg(debug_assertions)]
         assert!(
-            self.depth <= 256.0,
+            self.depth + 4.0 <= _allowance,
             "an expression is too deep: {}",
             self.depth
         );
@@ -152,8 +159,8 @@ impl Number for Rough {
 
     #[inline]
     fn sign(&self) -> Option<Sign> {
-        self.check();
-        let error = self.m * ALLOWANCE;
+        self.check(ANY);
+        let error = self.m * (ANY * U);
         if self.v > error {
             Some(Sign::Positive)
         } else if -self.v > error {

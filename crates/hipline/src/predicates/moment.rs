@@ -118,7 +118,7 @@ impl<C: Curve> Question for SignAt<'_, C> {
         match self.0 {
             Moment::Start => f[0].sign(),
             Moment::Planes(triple) => {
-                let (n, d) = meeting::<T>(planes, *triple);
+                let (n, d) = T::met(planes, *triple);
                 let linear = f[0].times(&d).minus(&f[1].times(&n));
                 if C::LINEAR {
                     Some(linear.sign()? * d.sign()?)
@@ -261,31 +261,33 @@ impl Planes {
                 let (n, d) = meeting::<Rough>(self, *triple);
                 self.bounds_of_meeting(*triple, &n, &d)
             }
-            Moment::Root(corners) => {
-                let g = area::<Rough>(self, *corners);
-                if !g.iter().all(Rough::may_be_exact) {
-                    let near = ball_root::falling_root(&g.map(|c| c.ball()));
-                    if let Some(bounds) = near.and_then(|t| Bounds::narrow(&t)) {
-                        return bounds;
-                    }
-                }
-                let g = area::<Ball>(self, *corners);
-                if let Some(t) = exact_root(&g) {
-                    return Bounds { low: t, high: t };
-                }
-                let near = ball_root::falling_root(&g);
-                if let Some(bounds) = near.and_then(|t| Bounds::narrow(&t)) {
-                    return bounds;
-                }
-                let g = area::<BallDd>(self, *corners);
-                match dd_root::falling_root(&g) {
-                    Some(t) => Bounds {
-                        low: t.lower(),
-                        high: t.upper(),
-                    },
-                    None => root_bounds(&g),
-                }
+            Moment::Root(corners) => self.bounds_of_root(*corners, &area(self, *corners)),
+        }
+    }
+
+    /// Bounds of a root that exists, of an area that is known roughly.
+    fn bounds_of_root(&self, corners: [Corner; 3], g: &Quadratic<Rough>) -> Bounds {
+        if !g.iter().all(Rough::may_be_exact) {
+            let near = ball_root::falling_root(&g.each_ref().map(Rough::ball));
+            if let Some(bounds) = near.and_then(|t| Bounds::narrow(&t)) {
+                return bounds;
             }
+        }
+        let g = area::<Ball>(self, corners);
+        if let Some(t) = exact_root(&g) {
+            return Bounds { low: t, high: t };
+        }
+        let near = ball_root::falling_root(&g);
+        if let Some(bounds) = near.and_then(|t| Bounds::narrow(&t)) {
+            return bounds;
+        }
+        let g = area::<BallDd>(self, corners);
+        match dd_root::falling_root(&g) {
+            Some(t) => Bounds {
+                low: t.lower(),
+                high: t.upper(),
+            },
+            None => root_bounds(&g),
         }
     }
 
@@ -514,7 +516,7 @@ impl Planes {
             Sign::Zero => falls(),
             Sign::Positive => !part(Part::Discriminant, &discriminant(&g)).is_negative() && falls(),
         };
-        exists.then(|| self.bounds(&Moment::Root(corners)))
+        exists.then(|| self.bounds_of_root(corners, &g))
     }
 }
 

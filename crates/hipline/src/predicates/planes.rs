@@ -12,10 +12,10 @@ use hipline_num::{
 };
 use std::cell::Cell;
 
-use super::grid::{common_unit, gcd, scaled, scaled_small};
+use super::grid::{common_unit, gcd, near, near_big, scaled, scaled_small, small_root};
 use super::{
     Terminal,
-    expression::{Corner, Quadratic, area},
+    expression::{Corner, Quadratic, area, meeting},
     root::{ball_root, dd_root, wide_root},
     rough,
 };
@@ -92,6 +92,7 @@ pub(crate) struct Planes {
     pub rungs: Cell<Rungs>,
     /// The root asked for last: several questions are asked of one moment.
     last_root: Cell<Option<([Corner; 3], Ball)>>,
+    pub(super) last_meeting: Cell<Option<([PlaneId; 3], (Rough, Rough))>>,
 }
 
 /// A rung of the ladder: numbers that planes can be asked for in.
@@ -111,7 +112,14 @@ pub(crate) trait Rung: Number {
         Self::falling_root(&area(planes, corners))
     }
 
+    /// [`meeting`], of a moment of which several things are asked.
+    #[inline]
+    fn met(planes: &Planes, triple: [PlaneId; 3]) -> (Self, Self) {
+        meeting(planes, triple)
+    }
+
     /// One plane.
+    #[inline]
     fn plane(planes: &Planes, id: PlaneId) -> Plane<Self> {
         let [a, b, c, mut s] = Self::line(planes, (id.0 >> 1) as usize);
         if let Some(speeds) = &planes.speeds {
@@ -244,53 +252,6 @@ impl Rung for Surd {
     }
 }
 
-/// The root of a perfect square.
-fn small_root(square: u128) -> Option<u128> {
-    // Squares end in one of twelve patterns of six bits.
-    const RESIDUES: u64 = 0x0202_0212_0203_0213;
-    if RESIDUES >> (square & 63) & 1 == 0 {
-        return None;
-    }
-    let root = square.isqrt();
-    (root * root == square).then_some(root)
-}
-
-/// An integer in double-double, without its last `shift` binary digits.
-#[expect(
-    clippy::cast_precision_loss,
-    clippy::cast_possible_truncation,
-    reason = "the rest is kept"
-)]
-fn near(value: i128, shift: i32) -> BallDd {
-    // Machine words do for most.
-    if let Ok(word) = i64::try_from(value)
-        && word.unsigned_abs() < 1 << 62
-    {
-        let high = word as f64;
-        let low = (word - high as i64) as f64;
-        let error = if shift == 0 || word == 0 {
-            0.0
-        } else {
-            high.abs() * (2.0 * TINY)
-        };
-        return BallDd::new(high, low, error).ldexp(-shift);
-    }
-    let high = value as f64;
-    let rest = value - high as i128;
-    let low = rest as f64;
-    let lost = (rest - low as i128).unsigned_abs() as f64;
-    // After a shift the value need not be an integer, which error 0 would claim.
-    let error = if shift == 0 || value == 0 {
-        lost
-    } else {
-        lost.max(high.abs() * TINY)
-    };
-    BallDd::new(high, low, error * 2.0).ldexp(-shift)
-}
-
-/// One part in 2^104.
-const TINY: f64 = f64::EPSILON * f64::EPSILON;
-
 /// The enclosure in f64 of one in double-double.
 fn nearest(value: &BallDd) -> Ball {
     Ball::new(
@@ -334,6 +295,7 @@ impl Planes {
             time_unit: unit,
             rungs: Cell::default(),
             last_root: Cell::default(),
+            last_meeting: Cell::default(),
         };
         // With bits <= SMALL the differences have one more digit, c has 2 SMALL + 3.
         if bits <= SMALL {
@@ -434,12 +396,12 @@ impl Planes {
         let square = &a * &a + &b * &b;
         let length = match perfect_root(&square.clone().unsigned_abs()) {
             Some(root) => BallDd::integer(&IBig::from(root), self.shift),
-            None => BallDd::integer(&square, 2 * self.shift).sqrt(),
+            None => near_big(&square, 2 * self.shift).sqrt(),
         };
         let doubles = [
-            BallDd::integer(&a, self.shift),
-            BallDd::integer(&b, self.shift),
-            BallDd::integer(&c, 2 * self.shift),
+            near_big(&a, self.shift),
+            near_big(&b, self.shift),
+            near_big(&c, 2 * self.shift),
             length,
         ];
         self.push_near(doubles);

@@ -4,8 +4,8 @@ use dashu_int::IBig;
 use hipline_num::{Ball, BallDd, Rough};
 
 use super::{
-    expression::Quadratic,
-    planes::{Planes, Rung},
+    expression::{Quadratic, meeting},
+    planes::{PlaneId, Planes, Rung},
 };
 
 /// `[a, b, c, length of the normal]` of a line, nearly; NaN where a number is too small.
@@ -54,6 +54,18 @@ impl Rung for Rough {
 
     fn falling_root(_: &Quadratic<Self>) -> Option<Self> {
         None
+    }
+
+    #[inline]
+    fn met(planes: &Planes, triple: [PlaneId; 3]) -> (Self, Self) {
+        if let Some((of, met)) = planes.last_meeting.get()
+            && of == triple
+        {
+            return met;
+        }
+        let met = meeting(planes, triple);
+        planes.last_meeting.set(Some((triple, met)));
+        met
     }
 
     fn integer(value: &IBig, shift: i32) -> Self {
