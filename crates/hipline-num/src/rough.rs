@@ -13,7 +13,7 @@
 //! * a product has ε ≤ (ε₁ + ε₂ + ε₁·ε₂)·(1 + u) + u.
 //!
 //! A number that comes from outside has ε ≤ 4u. The deepest expressions of the predicates reach
-//! 130u; [`Rough::sign`] allows for 160u, and [`Rough::ball`] for 48u. In debug builds each number carries its ε, and
+//! 144u; [`Rough::sign`] allows for 160u, and [`Rough::ball`], for areas of triangles at most, for 64u. In debug builds each number carries its ε, and
 //! it is checked where a sign is given.
 //!
 //! *Underflow.* Numbers from outside are 0 or at least 2^-15 in size, and a monomial of ε below
@@ -33,7 +33,7 @@ const U: f64 = f64::EPSILON / 2.0;
 const ANY: f64 = 160.0;
 
 /// What a ball allows for, in units of u: for short expressions.
-const SHORT: f64 = 48.0;
+const SHORT: f64 = 64.0;
 
 /// From this size on a [`Ball`] is never known to be an integer.
 const EXACT: f64 = 9_007_199_254_740_992.0;
