@@ -13,8 +13,8 @@
 //! * a product has ε ≤ (ε₁ + ε₂ + ε₁·ε₂)·(1 + u) + u.
 //!
 //! A number that comes from outside has ε ≤ 4u. The deepest expressions of the predicates reach
-//! 144u; [`Rough::sign`] allows for 160u, and [`Rough::ball`], for areas of triangles at most, for 64u. In debug builds each number carries its ε, and
-//! it is checked where a sign is given.
+//! 144u; [`Rough::sign`] allows for 160u, and [`Rough::ball`], for areas of triangles at most, for
+//! 64u. In debug builds each number carries its ε, and it is checked where a sign is given.
 //!
 //! *Underflow.* Numbers from outside are 0 or at least 2^-15 in size, and a monomial of ε below
 //! 160u has at most 40 of them. So no m underflows: if it is 0, so is each monomial, and v is
