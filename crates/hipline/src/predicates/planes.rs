@@ -71,6 +71,9 @@ struct Speeds {
     shift: i32,
 }
 
+/// The question asked last, and its answer.
+type Last<Q, A> = Cell<Option<(Q, A)>>;
+
 /// All planes of a figure.
 #[derive(Debug)]
 pub(crate) struct Planes {
@@ -91,8 +94,9 @@ pub(crate) struct Planes {
     /// How often each rung answered.
     pub rungs: Cell<Rungs>,
     /// The root asked for last: several questions are asked of one moment.
-    last_root: Cell<Option<([Corner; 3], Ball)>>,
-    pub(super) last_meeting: Cell<Option<([PlaneId; 3], (Rough, Rough))>>,
+    last_root: Last<[Corner; 3], Ball>,
+    /// The same of the meeting.
+    pub(super) last_meeting: Last<[PlaneId; 3], (Rough, Rough)>,
 }
 
 /// A rung of the ladder: numbers that planes can be asked for in.
