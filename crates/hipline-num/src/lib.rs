@@ -26,6 +26,7 @@ mod dyadic;
 mod fixed;
 mod limbs;
 mod number;
+mod rough;
 mod rounding;
 mod rungs;
 mod sign;
@@ -40,6 +41,7 @@ pub use dyadic::{f64_to_parts, ilog2};
 pub use fixed::{Fixed, Radicals};
 pub use limbs::{Integer, Limbs};
 pub use number::Number;
+pub use rough::Rough;
 pub use rounding::{
     compare_quotient_f64, round_ball_dd, round_ball_dd_plus, round_fixed_plus, round_quotient,
     round_quotient_plus,

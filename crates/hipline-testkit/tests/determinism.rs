@@ -63,14 +63,14 @@ fn every_run_gives_the_same_bits() {
 /// Families whose coordinates take nothing but sums and products, which are the same everywhere
 /// (sines are not), and the hashes of their skeletons.
 const PINNED: [(Family, u64); 8] = [
-    (Family::Random, 0x0c58_e496_3e86_8ee4),
-    (Family::Orthogonal, 0x8241_f1cc_8390_5012),
-    (Family::Skyline, 0x8e40_6950_daea_5738),
-    (Family::Monotone, 0x49a7_d42a_6931_df17),
-    (Family::Comb, 0x9bca_82f2_35d5_4f62),
-    (Family::Segments, 0xfdd6_32c3_6db5_5d18),
-    (Family::SquareHoles, 0xc1a5_e49f_7b12_22f8),
-    (Family::Windows, 0x1886_c5a1_39a4_cc34),
+    (Family::Random, 0xcc97_712e_42c0_2c69),
+    (Family::Orthogonal, 0x615e_4235_bfb8_b3d3),
+    (Family::Skyline, 0xb175_7ae4_7a90_7b1c),
+    (Family::Monotone, 0x15b5_d1b0_427b_c75b),
+    (Family::Comb, 0xbc66_f389_5e6a_1dc3),
+    (Family::Segments, 0x0339_84aa_14d3_f645),
+    (Family::SquareHoles, 0x0faf_d68a_bc26_36a0),
+    (Family::Windows, 0x04a1_1c95_4c73_d9aa),
 ];
 
 /// The hash says whether another platform, compiler or version gives the same result. A change

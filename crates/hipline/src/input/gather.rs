@@ -296,6 +296,7 @@ impl Gatherer {
 
     fn points(&mut self, at: Place, points: &[[f64; 2]]) {
         self.ids.clear();
+        self.ids.reserve(points.len());
         for (index, &point) in points.iter().enumerate() {
             let id = self.point(Place { index, ..at }, point);
             self.ids.push(id);

@@ -28,7 +28,7 @@ use std::cmp::Ordering;
 
 use crate::{
     input::Figure,
-    predicates::{Moment, Planes, Terminal},
+    predicates::{Bounds, Moment, Planes, Terminal},
     skeleton::{Options, Region, Skeleton, Stats, assemble},
     topology::{TraceId, TriangleId},
 };
@@ -48,6 +48,8 @@ struct Kinetic<'a> {
     /// For each triangle in the queue, when it collapses.
     agenda: Agenda,
     now: Moment,
+    /// Bounds of `now`.
+    bounds: Bounds,
     batch: Batch,
     stats: Stats,
 }
@@ -135,6 +137,7 @@ impl Kinetic<'_> {
         self.batch.first_node = self.front.vertices + self.front.events.len() as u32;
         self.now = self.agenda.moment(first);
         let bounds = self.queue.bounds(first).expect("the triangle is queued");
+        self.bounds = bounds;
         self.take(first);
         while let Some(t) = self.queue.peek() {
             let other = self.queue.bounds(t).expect("the triangle is queued");

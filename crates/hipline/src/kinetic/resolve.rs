@@ -19,7 +19,7 @@ use std::cmp::Ordering;
 use super::{
     Kinetic,
     schedule::{collapse_planes, corner, meeting_moment},
-    triangulation::{Across, Tip, next, prev},
+    triangulation::{Across, Spokes, Tip, next, prev},
     wavefront::{End, EventNode, Trace, Walk, Wave},
 };
 use crate::predicates::{Area, Corner, Direction, Moment, Part, PlaneId};
@@ -165,7 +165,8 @@ impl Kinetic<'_> {
                 Ordering::Less => Shape::Flat(prev(k)),
             };
         }
-        if let Some(k) = self.middle_at_sight(tips) {
+        let pairs = tips.map(|tip| self.front.trace(tip.trace().expect("a finite corner")).pair);
+        if let Some(k) = self.planes.middle(self.bounds, pairs) {
             return Shape::Flat(k);
         }
         let side = [0, 1, 2].map(|k| self.compare_tips(tips[next(k)], tips[prev(k)]));
@@ -180,21 +181,6 @@ impl Kinetic<'_> {
         // Corner k is the middle one if its neighbours lie on different sides of it.
         let middle = (0..3).find(|&k| side[next(k)] == side[prev(k)]);
         Shape::Flat(middle.expect("one of three places on a line is the middle one"))
-    }
-
-    /// Which of three places on a line is the middle one, where f64 can order them strictly by one
-    /// of their coordinates.
-    fn middle_at_sight(&self, tips: [Tip; 3]) -> Option<usize> {
-        let pairs = tips.map(|tip| self.front.trace(tip.trace().expect("a finite corner")).pair);
-        [false, true].into_iter().find_map(|ordinate| {
-            let side = |k: usize| {
-                self.planes
-                    .compare_coordinate_roughly(&self.now, pairs[next(k)], pairs[prev(k)], ordinate)
-                    .filter(|order| order.is_ne())
-            };
-            let side = [side(0)?, side(1)?, side(2)?];
-            (0..3).find(|&k| side[next(k)] == side[prev(k)])
-        })
     }
 
     /// The sign of a triangle's area now.
@@ -221,7 +207,6 @@ impl Kinetic<'_> {
         if self.known_same(u, v) {
             return Ordering::Equal;
         }
-
         self.planes.compare_places(
             &self.now,
             self.front.trace(u).pair,
@@ -330,8 +315,8 @@ impl Kinetic<'_> {
         });
         let node = self.common_node(u, v);
         let (at_u, at_v) = (*self.front.trace(u), *self.front.trace(v));
-        let fan_u: Vec<_> = self.triangulation.fan(at_u.out).collect();
-        let fan_v: Vec<_> = self.triangulation.fan(at_v.out).collect();
+        let fan_u: Spokes = self.triangulation.fan(at_u.out).collect();
+        let fan_v: Spokes = self.triangulation.fan(at_v.out).collect();
         self.front.trace_mut(u).end = End::At(node);
         self.front.trace_mut(v).end = End::At(node);
         if let Some(wave) = triangle.across[k].wave() {
@@ -420,7 +405,7 @@ impl Kinetic<'_> {
         });
         let node = self.node_now(w);
         let at_w = *self.front.trace(w);
-        let fan: Vec<_> = self.triangulation.fan(at_w.out).collect();
+        let fan: Spokes = self.triangulation.fan(at_w.out).collect();
         self.front.trace_mut(w).end = End::At(node);
         // `wave` keeps the part from u to the new vertex `end`; the new wavefront edge goes
         // from the new vertex `start` to v.

@@ -9,11 +9,11 @@ use super::{
     Batch, Kinetic,
     queue::Queue,
     schedule::Agenda,
-    triangulation::{Across, Tip, Triangle, Triangulation, next, prev},
+    triangulation::{Across, Spokes, Tip, Triangle, Triangulation, next, prev},
     wavefront::{End, Trace, Walk, Wave, Wavefront},
 };
 use crate::{
-    input::{Figure, MeshEdge},
+    input::{Figure, Mesh, MeshEdge},
     predicates::{Bounds, Direction, Moment, PlaneId, Planes, Terminal},
     skeleton::{Region, Stats},
     topology::{TraceId, TriangleId, WaveId},
@@ -35,6 +35,32 @@ fn frame(from: [f64; 2], to: [f64; 2]) -> usize {
     }
 }
 
+/// Stands for a side of an edge that bounds no triangle.
+const NO_SIDE: (TriangleId, u8) = (TriangleId::raw(u32::MAX), 0);
+
+/// The triangles that are kept, in the order of their first vertices. An input mostly goes along
+/// its shape, so that what is near each other in the plane is so in memory.
+fn along_input(mesh: &Mesh, vertices: usize, kept: impl Fn(usize) -> bool) -> Vec<u32> {
+    let first = |t: usize| {
+        let [a, b, c] = mesh.corners[t];
+        a.min(b).min(c) as usize
+    };
+    let mut next = vec![0_u32; vertices + 1];
+    for t in (0..mesh.corners.len()).filter(|&t| kept(t)) {
+        next[first(t) + 1] += 1;
+    }
+    for v in 0..vertices {
+        next[v + 1] += next[v];
+    }
+    let mut order = vec![0; next[vertices] as usize];
+    for t in (0..mesh.corners.len()).filter(|&t| kept(t)) {
+        let place = &mut next[first(t)];
+        order[*place as usize] = t as u32;
+        *place += 1;
+    }
+    order
+}
+
 impl<'a> Kinetic<'a> {
     /// The state at time zero, terminals and straight vertices not yet treated.
     pub(super) fn new(figure: &'a Figure, region: Region) -> Self {
@@ -50,6 +76,7 @@ impl<'a> Kinetic<'a> {
             queue: Queue::default(),
             agenda: Agenda::default(),
             now: Moment::Start,
+            bounds: Bounds::START,
             batch: Batch::default(),
             stats: Stats::default(),
         };
@@ -66,13 +93,11 @@ impl<'a> Kinetic<'a> {
             Region::Exterior => !mesh.inside[t],
             Region::Auto | Region::Both => true,
         };
+        let order = along_input(mesh, self.figure.vertices().len(), kept);
+        let count = order.len();
         let mut number = vec![Across::NOTHING; mesh.corners.len()];
-        let mut count = 0;
-        for (t, number) in number.iter_mut().enumerate() {
-            if kept(t) {
-                *number = TriangleId::new(count).into();
-                count += 1;
-            }
+        for (i, &t) in order.iter().enumerate() {
+            number[t as usize] = TriangleId::new(i).into();
         }
         // Each hull edge has a triangle, and there are as many more as the frame has turns.
         let first_hull = count;
@@ -89,8 +114,9 @@ impl<'a> Kinetic<'a> {
                 Across::NOTHING
             }
         };
-        let mut edges: Vec<(TriangleId, usize, u32)> = Vec::with_capacity(waves);
-        for t in (0..mesh.corners.len()).filter(|&t| kept(t)) {
+        let start = |edge: u32| self.figure.edges()[edge as usize].from.index() as u32;
+        let mut sides = vec![NO_SIDE; waves];
+        for t in order.into_iter().map(|t| t as usize) {
             let id = self.triangulation.push(Triangle {
                 // Vertices for now, to be replaced by wavefront vertices.
                 tips: mesh.corners[t].map(|v| Tip::from(TraceId::new(v as usize))),
@@ -98,7 +124,8 @@ impl<'a> Kinetic<'a> {
             });
             for k in 0..3 {
                 if let Some(edge) = mesh.across[t][k].edge {
-                    edges.push((id, k, edge));
+                    let left = mesh.corners[t][next(k)] == start(edge);
+                    sides[2 * edge as usize + usize::from(!left)] = (id, k as u8);
                 }
             }
         }
@@ -118,15 +145,16 @@ impl<'a> Kinetic<'a> {
                     ],
                     across: [Across::NOTHING, Across::NOTHING, neighbour(&edge.across)],
                 });
-                if let Some(edge) = edge.across.edge {
-                    edges.push((id, 2, edge));
+                if let Some(e) = edge.across.edge {
+                    let left = edge.from == start(e);
+                    sides[2 * e as usize + usize::from(!left)] = (id, 2);
                 }
             }
             for i in 0..mesh.hull.len() {
                 self.fill_corner(first_hull, i, &direction);
             }
         }
-        self.add_waves(&edges);
+        self.add_waves(&sides);
         self.add_vertices();
     }
 
@@ -155,14 +183,19 @@ impl<'a> Kinetic<'a> {
         self.triangulation.attach(this, 0, last.into());
     }
 
-    fn add_waves(&mut self, edges: &[(TriangleId, usize, u32)]) {
-        for &(t, k, e) in edges {
-            let edge = &self.figure.edges()[e as usize];
-            let start = self.triangulation.get(t).tips[next(k)];
-            let left = start == Tip::from(TraceId::new(edge.from.index()));
-            let face = 2 * e + u32::from(!left);
+    /// One wavefront edge for each side of an edge that bounds a triangle, in the order of the
+    /// input: so the first arcs have that order, too.
+    fn add_waves(&mut self, sides: &[(TriangleId, u8)]) {
+        let count = sides.iter().filter(|&&side| side != NO_SIDE).count();
+        // Some will be split.
+        self.front.waves.reserve(count + count / 4);
+        for (face, &(t, k)) in sides.iter().enumerate() {
+            if (t, k) == NO_SIDE {
+                continue;
+            }
+            let face = face as u32;
             let wave = self.triangulation.push_wave(t);
-            self.triangulation.attach(t, k, wave.into());
+            self.triangulation.attach(t, k as usize, wave.into());
             self.front.waves.push(Wave {
                 plane: PlaneId(face),
                 face,
@@ -176,9 +209,9 @@ impl<'a> Kinetic<'a> {
         // Each wavefront edge starts in one sector.
         for out in (0..self.front.waves.len()).map(WaveId::new) {
             let x = TraceId::new(self.front.traces.len());
-            let fan: Vec<_> = self.triangulation.fan(out).collect();
-            let &(last, corner) = fan.last().expect("a wavefront edge bounds a triangle");
-            let (first, at) = fan[0];
+            let mut fan = self.triangulation.fan(out);
+            let (first, at) = fan.next().expect("a wavefront edge bounds a triangle");
+            let (last, corner) = fan.last().unwrap_or((first, at));
             let vertex = self.triangulation.get(first).tips[at]
                 .trace()
                 .expect("a vertex");
@@ -201,7 +234,7 @@ impl<'a> Kinetic<'a> {
         // Now that every sector is known, rename the corners.
         for out in (0..self.front.waves.len()).map(WaveId::new) {
             let x = TraceId::new(out.index());
-            let fan: Vec<_> = self.triangulation.fan(out).collect();
+            let fan: Spokes = self.triangulation.fan(out).collect();
             for (t, corner) in fan {
                 self.triangulation.triangles[t.index()].tips[corner] = x.into();
             }
@@ -287,7 +320,7 @@ impl<'a> Kinetic<'a> {
         let cap_plane = self.terminal_plane(terminal);
         let cap_face = (2 * self.figure.edges().len() + terminal) as u32;
         let trace = *self.front.trace(x);
-        let fan: Vec<_> = self.triangulation.fan(trace.out).collect();
+        let fan: Spokes = self.triangulation.fan(trace.out).collect();
         // A spoke ahead of the terminal's wavefront edge: there is one, because no angle
         // between spokes reaches 180 degrees.
         let ahead = |&(t, corner): &(TriangleId, usize)| {

@@ -9,7 +9,7 @@
 
 use super::{
     Kinetic,
-    triangulation::{Tip, next, prev},
+    triangulation::{Spokes, Tip, next, prev},
     wavefront::{End, Walk},
 };
 use crate::predicates::Moment;
@@ -76,7 +76,7 @@ impl Kinetic<'_> {
         let trace = *self.front.trace(p);
         // Flip its spokes away until one is left. The fan, seen from p, is a polygon over
         // the base from `inn`'s start to `out`'s end, with an ear at some spoke's far end.
-        let mut fan: Vec<_> = self.triangulation.fan(trace.out).collect();
+        let mut fan: Spokes = self.triangulation.fan(trace.out).collect();
         let mut i = 0;
         while fan.len() > 2 {
             if i + 1 >= fan.len() {
@@ -203,7 +203,7 @@ impl Kinetic<'_> {
     /// A new vertex takes the place of another.
     fn replace(&mut self, old: TraceId, inn: WaveId, out: WaveId, node: u32) -> TraceId {
         self.front.trace_mut(old).end = End::At(node);
-        let fan: Vec<_> = self.triangulation.fan(out).collect();
+        let fan: Spokes = self.triangulation.fan(out).collect();
         let new = self.spawn(inn, out, node, old);
         for &(t, corner) in &fan {
             self.triangulation.triangles[t.index()].tips[corner] = new.into();

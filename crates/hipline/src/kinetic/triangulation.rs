@@ -6,6 +6,7 @@
 
 use crate::predicates::Direction;
 use crate::topology::{TraceId, TriangleId, WaveId};
+use smallvec::SmallVec;
 
 /// The next side or corner, counterclockwise.
 pub(super) const fn next(k: usize) -> usize {
@@ -273,6 +274,9 @@ impl Triangulation {
         }
     }
 }
+
+/// The triangles around a vertex, mostly few, and its corner in each.
+pub(super) type Spokes = SmallVec<[(TriangleId, usize); 12]>;
 
 /// Iterator over the triangles around a vertex.
 pub(super) struct Fan<'a> {

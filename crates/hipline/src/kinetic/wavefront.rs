@@ -104,6 +104,9 @@ fn root(parents: &mut [u32], mut i: u32) -> u32 {
 impl Wavefront {
     pub(super) fn new(vertices: usize, faces: usize) -> Self {
         Self {
+            // About as many nodes as vertices.
+            events: Vec::with_capacity(vertices),
+            same: Vec::with_capacity(vertices),
             vertices: vertices as u32,
             after_base: vec![Walk::Open; faces],
             joint: (0..faces as u32).collect(),

@@ -12,6 +12,7 @@ mod orientation;
 mod place;
 mod planes;
 mod root;
+mod rough;
 mod terminal;
 
 pub(crate) use expression::{Corner, Direction};

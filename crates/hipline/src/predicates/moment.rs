@@ -4,13 +4,13 @@
 //! vertices happen at the root of a quadratic. Every question about a moment is the sign
 //! of a polynomial in time, of degree two at most, at that moment.
 
-use hipline_num::{Ball, BallDd, Fixed, Integer, Number, Sign, Surd, Wide};
+use hipline_num::{Ball, BallDd, Fixed, Integer, Number, Rough, Sign, Surd, Wide};
 use std::cmp::Ordering;
 
 use super::{
     expression::{
-        Corner, Direction, Quadratic, area, area_at, curvature, difference, differences, lead,
-        meeting, minor,
+        Corner, Direction, Path, Quadratic, area, area_at, curvature, difference, differences,
+        lead, meeting, minor,
     },
     planes::{PlaneId, Planes, Question, Rung},
     root::{
@@ -130,11 +130,14 @@ struct SignAt<'a, C>(&'a Moment, &'a C);
 impl<C: Curve> Question for SignAt<'_, C> {
     #[inline]
     fn ask<T: Rung>(&self, planes: &Planes) -> Option<Sign> {
+        if !T::HAS_ROOTS && matches!(self.0, Moment::Root(_)) {
+            return None;
+        }
         let f = self.1.coefficients::<T>(planes)?;
         match self.0 {
             Moment::Start => f[0].sign(),
             Moment::Planes(triple) => {
-                let (n, d) = meeting::<T>(planes, *triple);
+                let (n, d) = T::met(planes, *triple);
                 let linear = f[0].times(&d).minus(&f[1].times(&n));
                 if C::LINEAR {
                     let sign = linear.sign()?;
@@ -149,8 +152,7 @@ impl<C: Curve> Question for SignAt<'_, C> {
                 }
             }
             Moment::Root(corners) => {
-                let g = area::<T>(planes, *corners);
-                let t = T::falling_root(&g)?;
+                let t = T::flat_at(planes, *corners)?;
                 f[2].times(&t).plus(&f[1]).times(&t).plus(&f[0]).sign()
             }
         }
@@ -208,6 +210,15 @@ impl Bounds {
         low: 0.0,
         high: 0.0,
     };
+
+    /// Those of a ball, if they are close.
+    #[inline]
+    fn narrow(t: &Ball) -> Option<Self> {
+        (t.error() <= t.value().abs() * WIDE).then(|| Self {
+            low: t.lower(),
+            high: t.upper(),
+        })
+    }
 
     /// The order of two moments, where the bounds decide it.
     #[inline]
@@ -281,45 +292,56 @@ impl Planes {
         match moment {
             Moment::Start => Bounds::START,
             Moment::Planes(triple) => {
-                let (n, d) = meeting::<Ball>(self, *triple);
+                let (n, d) = meeting::<Rough>(self, *triple);
                 self.bounds_of_meeting(*triple, &n, &d)
             }
-            Moment::Root(corners) => {
-                let g = area::<Ball>(self, *corners);
-                if let Some(t) = exact_root(&g) {
-                    return Bounds { low: t, high: t };
-                }
-                let ball = ball_root::falling_root(&g);
-                if let Some(t) = ball
-                    && t.error() <= t.value().abs() * WIDE
-                {
-                    return Bounds {
-                        low: t.lower(),
-                        high: t.upper(),
-                    };
-                }
-                let g = area::<BallDd>(self, *corners);
-                match dd_root::falling_root(&g) {
-                    Some(t) => Bounds {
-                        low: t.lower(),
-                        high: t.upper(),
-                    },
-                    None => root_bounds(&g),
-                }
-            }
+            Moment::Root(corners) => self.bounds_of_root(*corners, &area(self, *corners)),
         }
     }
 
-    fn bounds_of_meeting(&self, triple: [PlaneId; 3], n: &Ball, d: &Ball) -> Bounds {
-        if let Some(t) = exact_quotient(n, d) {
+    /// Bounds of a root that exists, of an area that is known roughly.
+    fn bounds_of_root(&self, corners: [Corner; 3], g: &Quadratic<Rough>) -> Bounds {
+        if !g.iter().all(Rough::may_be_exact) {
+            let near = ball_root::falling_root(&g.each_ref().map(Rough::ball));
+            if let Some(bounds) = near.and_then(|t| Bounds::narrow(&t)) {
+                return bounds;
+            }
+        }
+        let g = area::<Ball>(self, corners);
+        if let Some(t) = exact_root(&g) {
             return Bounds { low: t, high: t };
         }
-        let t = n.negated().div(d);
-        if t.error() <= t.value().abs() * WIDE {
-            return Bounds {
+        let near = ball_root::falling_root(&g);
+        if let Some(bounds) = near.and_then(|t| Bounds::narrow(&t)) {
+            return bounds;
+        }
+        let g = area::<BallDd>(self, corners);
+        match dd_root::falling_root(&g) {
+            Some(t) => Bounds {
                 low: t.lower(),
                 high: t.upper(),
-            };
+            },
+            None => root_bounds(&g),
+        }
+    }
+
+    /// Bounds of a meeting whose N and D are known roughly.
+    fn bounds_of_meeting(&self, triple: [PlaneId; 3], n: &Rough, d: &Rough) -> Bounds {
+        if !(n.may_be_exact() && d.may_be_exact())
+            && let Some(bounds) = Bounds::narrow(&n.ball().negated().div(&d.ball()))
+        {
+            return bounds;
+        }
+        self.closer_bounds_of_meeting(triple)
+    }
+
+    fn closer_bounds_of_meeting(&self, triple: [PlaneId; 3]) -> Bounds {
+        let (n, d) = meeting::<Ball>(self, triple);
+        if let Some(t) = exact_quotient(&n, &d) {
+            return Bounds { low: t, high: t };
+        }
+        if let Some(bounds) = Bounds::narrow(&n.negated().div(&d)) {
+            return bounds;
         }
         let (n, d) = meeting::<BallDd>(self, triple);
         let t = n.negated().div(&d);
@@ -392,11 +414,29 @@ impl Planes {
         if vertex.contains(&plane) || *moment == Moment::of_planes([vertex[0], vertex[1], plane]) {
             return Sign::Zero;
         }
+        // Where parallel planes meet a third one, they have one line.
+        if let Moment::Planes(triple) = moment
+            && triple.contains(&plane)
+            && (vertex.iter()).any(|&i| triple.contains(&i) && self.turn(i, plane).is_zero())
+        {
+            return Sign::Zero;
+        }
         self.sign_at(moment, &Lead(vertex, plane))
     }
 
     /// Whether two vertices are at one place: each plane of one passes through the other.
     pub(crate) fn coincide(&self, moment: &Moment, u: [PlaneId; 2], v: [PlaneId; 2]) -> bool {
+        // That a vertex is off any of the planes may be easier to see than that it is on another.
+        let off = |vertex: [PlaneId; 2], plane: PlaneId| {
+            !vertex.contains(&plane)
+                && SignAt(moment, &Lead(vertex, plane))
+                    .ask::<Rough>(self)
+                    .is_some_and(|sign| !sign.is_zero())
+        };
+        if u.iter().any(|&plane| off(v, plane)) || v.iter().any(|&plane| off(u, plane)) {
+            self.count(|rungs| rungs.by_f64 += 1);
+            return false;
+        }
         u.iter().all(|&plane| self.lead(moment, v, plane).is_zero())
     }
 
@@ -414,16 +454,33 @@ impl Planes {
             .then_with(|| self.compare_coordinate(moment, u, v, true))
     }
 
-    /// Compares one coordinate of two vertices at a moment, if f64 can tell.
-    pub(crate) fn compare_coordinate_roughly(
-        &self,
-        moment: &Moment,
-        u: [PlaneId; 2],
-        v: [PlaneId; 2],
-        ordinate: bool,
-    ) -> Option<Ordering> {
-        self.decide_roughly(&SignAt(moment, &Difference(u, v, ordinate)))
-            .map(Sign::ordering)
+    /// Which of three vertices on one line is strictly between the others at a moment, if f64
+    /// tells.
+    pub(crate) fn middle(&self, now: Bounds, vertices: [[PlaneId; 2]; 3]) -> Option<usize> {
+        let half = (now.high - now.low) / 2.0;
+        // Twice the half covers the roundings of it and of the mean, but for those of a ball.
+        let ulp = now.high.next_up() - now.high;
+        let t = Ball::new(now.low + half, 2.0 * half + ulp);
+        let paths = vertices.map(|pair| Path::<Ball>::new(self, pair));
+        let between = |z: [Ball; 3]| {
+            let [below, above] = [0, 1].map(|side| {
+                [0, 1, 2].map(|k| {
+                    if side == 0 {
+                        z[k].lower()
+                    } else {
+                        z[k].upper()
+                    }
+                })
+            });
+            (0..3).find(|&k| {
+                let [i, j] = [(k + 1) % 3, (k + 2) % 3];
+                (above[i] < below[k] && above[k] < below[j])
+                    || (above[j] < below[k] && above[k] < below[i])
+            })
+        };
+        let at = |z: &[Ball; 2], m: &Ball| z[0].plus(&z[1].times(&t)).div(m);
+        between(paths.each_ref().map(|path| at(&path.x, &path.m)))
+            .or_else(|| between(paths.each_ref().map(|path| at(&path.y, &path.m))))
     }
 
     /// Compares one coordinate of two vertices at a moment.
@@ -489,7 +546,7 @@ impl Planes {
     /// Bounds of the moment when three planes meet, if their D has the given sign.
     #[inline]
     pub(crate) fn meeting_if(&self, triple: [PlaneId; 3], sign: Sign) -> Option<Bounds> {
-        let (n, d) = meeting::<Ball>(self, triple);
+        let (n, d) = meeting::<Rough>(self, triple);
         match d.sign() {
             Some(found) if found != sign => None,
             Some(_) => Some(self.bounds_of_meeting(triple, &n, &d)),
@@ -506,9 +563,10 @@ impl Planes {
     /// Bounds of the moment after `now` at which a triangle, of positive area now, becomes
     /// flat, if it does.
     pub(crate) fn falling_root(&self, now: &Moment, corners: [Corner; 3]) -> Option<Bounds> {
-        let g = area::<Ball>(self, corners);
-        let part = |part, ball: &Ball| {
-            ball.sign()
+        let g = area::<Rough>(self, corners);
+        let part = |part, rough: &Rough| {
+            rough
+                .sign()
                 .unwrap_or_else(|| self.sign_of(&Area(corners, part)))
         };
         let falls = || self.sign_at(now, &Area(corners, Part::Slope)).is_negative();
@@ -517,7 +575,7 @@ impl Planes {
             Sign::Zero => falls(),
             Sign::Positive => !part(Part::Discriminant, &discriminant(&g)).is_negative() && falls(),
         };
-        exists.then(|| self.bounds(&Moment::Root(corners)))
+        exists.then(|| self.bounds_of_root(corners, &g))
     }
 }
 
@@ -564,7 +622,19 @@ impl Planes {
     /// negative to the right (reflex), zero if they are parallel.
     #[inline]
     pub(crate) fn turn(&self, i: PlaneId, j: PlaneId) -> Sign {
-        self.sign_of(&Between(i, j, false))
+        let between = Between(i, j, false);
+        if let Some(sign) = SignAt(&Moment::Start, &between).ask::<Rough>(self) {
+            self.count(|rungs| rungs.by_f64 += 1);
+            return sign;
+        }
+        // Parallel, as a rule.
+        match self.small_turn(i, j) {
+            Some(sign) => {
+                self.count(|rungs| rungs.by_exact += 1);
+                sign
+            }
+            None => self.sign_of(&between),
+        }
     }
 
     /// Whether two parallel planes move the same way.

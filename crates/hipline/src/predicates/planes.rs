@@ -8,17 +8,18 @@
 
 use dashu_int::{IBig, ops::Gcd, ops::UnsignedAbs};
 use hipline_num::{
-    Ball, BallDd, Fixed, Integer, Limbs, Number, Rungs, Sign, Surd, Wide, f64_to_parts,
+    Ball, BallDd, Fixed, Integer, Limbs, Number, Rough, Rungs, Sign, Surd, Wide, f64_to_parts,
     perfect_root,
 };
 use std::cell::Cell;
 
-use super::grid::{common_unit, gcd, scaled, scaled_small};
+use super::grid::{common_unit, gcd, near, near_big, scaled, scaled_small, small_root};
 use super::{
     Terminal,
-    expression::Quadratic,
+    expression::{Corner, Quadratic, area, meeting},
     fixed::Lengths,
     root::{ball_root, dd_root, wide_root},
+    rough,
 };
 use crate::input::Figure;
 
@@ -72,6 +73,9 @@ struct Speeds {
     shift: i32,
 }
 
+/// The question asked last, and its answer.
+type Last<Q, A> = Cell<Option<(Q, A)>>;
+
 /// All planes of a figure.
 #[derive(Debug)]
 pub(crate) struct Planes {
@@ -79,7 +83,8 @@ pub(crate) struct Planes {
     pub(super) lengths: Lengths,
     /// Whether coordinates are so small that many polynomials in them fit machine integers.
     grid: bool,
-    balls: Vec<[Ball; 4]>,
+    /// See [`rough::line`].
+    pub(super) roughs: Vec<[f64; 4]>,
     doubles: Vec<[BallDd; 4]>,
     /// `None`: every speed is one.
     speeds: Option<Speeds>,
@@ -93,10 +98,16 @@ pub(crate) struct Planes {
     pub time_unit: i32,
     /// How often each rung answered.
     pub rungs: Cell<Rungs>,
+    /// The root asked for last: several questions are asked of one moment.
+    last_root: Last<[Corner; 3], Ball>,
+    /// The same of the meeting.
+    pub(super) last_meeting: Last<[PlaneId; 3], (Rough, Rough)>,
 }
 
 /// A rung of the ladder: numbers that planes can be asked for in.
 pub(crate) trait Rung: Number {
+    /// Whether [`Rung::falling_root`] ever answers.
+    const HAS_ROOTS: bool = true;
     /// `[a, b, c, length of the normal]` of a line.
     fn line(planes: &Planes, line: usize) -> [Self; 4];
     /// An integer, in the approximations without its last `shift` binary digits.
@@ -105,8 +116,19 @@ pub(crate) trait Rung: Number {
     fn time(planes: &Planes, time: f64) -> [Self; 2];
     /// Encloses the root of `g0 + g1 t + g2 t^2` at which it falls; only approximations can.
     fn falling_root(g: &Quadratic<Self>) -> Option<Self>;
+    /// The same of a triangle's area.
+    fn flat_at(planes: &Planes, corners: [Corner; 3]) -> Option<Self> {
+        Self::falling_root(&area(planes, corners))
+    }
+
+    /// [`meeting`], of a moment of which several things are asked.
+    #[inline]
+    fn met(planes: &Planes, triple: [PlaneId; 3]) -> (Self, Self) {
+        meeting(planes, triple)
+    }
 
     /// One plane.
+    #[inline]
     fn plane(planes: &Planes, id: PlaneId) -> Plane<Self> {
         let [a, b, c, mut s] = Self::line(planes, (id.0 >> 1) as usize);
         if let Some(speeds) = &planes.speeds {
@@ -128,7 +150,7 @@ pub(crate) trait Rung: Number {
 impl Rung for Ball {
     #[inline]
     fn line(planes: &Planes, line: usize) -> [Self; 4] {
-        planes.balls[line]
+        planes.doubles[line].each_ref().map(nearest)
     }
     fn time(planes: &Planes, time: f64) -> [Self; 2] {
         [
@@ -138,6 +160,16 @@ impl Rung for Ball {
     }
     fn falling_root(g: &Quadratic<Self>) -> Option<Self> {
         ball_root::falling_root(g)
+    }
+    fn flat_at(planes: &Planes, corners: [Corner; 3]) -> Option<Self> {
+        if let Some((of, root)) = planes.last_root.get()
+            && of == corners
+        {
+            return Some(root);
+        }
+        let root = Self::falling_root(&area(planes, corners))?;
+        planes.last_root.set(Some((corners, root)));
+        Some(root)
     }
     fn integer(value: &IBig, shift: i32) -> Self {
         let ball = Self::from_int(value);
@@ -229,40 +261,6 @@ impl Rung for Surd {
     }
 }
 
-/// The root of a perfect square.
-fn small_root(square: u128) -> Option<u128> {
-    // Squares end in one of twelve patterns of six bits.
-    const RESIDUES: u64 = 0x0202_0212_0203_0213;
-    if RESIDUES >> (square & 63) & 1 == 0 {
-        return None;
-    }
-    let root = square.isqrt();
-    (root * root == square).then_some(root)
-}
-
-/// An integer in double-double, without its last `shift` binary digits.
-#[expect(
-    clippy::cast_precision_loss,
-    clippy::cast_possible_truncation,
-    reason = "the rest is kept"
-)]
-fn near(value: i128, shift: i32) -> BallDd {
-    let high = value as f64;
-    let rest = value - high as i128;
-    let low = rest as f64;
-    let lost = (rest - low as i128).unsigned_abs() as f64;
-    // After a shift the value need not be an integer, which error 0 would claim.
-    let error = if shift == 0 || value == 0 {
-        lost
-    } else {
-        lost.max(high.abs() * TINY)
-    };
-    BallDd::new(high, low, error * 2.0).ldexp(-shift)
-}
-
-/// One part in 2^104.
-const TINY: f64 = f64::EPSILON * f64::EPSILON;
-
 /// The enclosure in f64 of one in double-double.
 fn nearest(value: &BallDd) -> Ball {
     Ball::new(
@@ -302,7 +300,7 @@ impl Planes {
             lines: Vec::with_capacity(figure.edges().len() + terminals.len()),
             lengths: Lengths::default(),
             grid: bits <= GRID,
-            balls: Vec::with_capacity(figure.edges().len() + terminals.len()),
+            roughs: Vec::with_capacity(figure.edges().len() + terminals.len()),
             doubles: Vec::with_capacity(figure.edges().len() + terminals.len()),
             speeds: None,
             shift,
@@ -310,6 +308,8 @@ impl Planes {
             origin,
             time_unit: unit,
             rungs: Cell::default(),
+            last_root: Cell::default(),
+            last_meeting: Cell::default(),
         };
         // With bits <= SMALL the differences have one more digit, c has 2 SMALL + 3.
         if bits <= SMALL {
@@ -399,8 +399,7 @@ impl Planes {
             near(c, 2 * self.shift),
             length,
         ];
-        self.balls.push(doubles.each_ref().map(nearest));
-        self.doubles.push(doubles);
+        self.push_near(doubles);
         self.lines.push(Line::Small { a, b, c });
     }
 
@@ -411,17 +410,21 @@ impl Planes {
         let square = &a * &a + &b * &b;
         let length = match perfect_root(&square.clone().unsigned_abs()) {
             Some(root) => BallDd::integer(&IBig::from(root), self.shift),
-            None => BallDd::integer(&square, 2 * self.shift).sqrt(),
+            None => near_big(&square, 2 * self.shift).sqrt(),
         };
         let doubles = [
-            BallDd::integer(&a, self.shift),
-            BallDd::integer(&b, self.shift),
-            BallDd::integer(&c, 2 * self.shift),
+            near_big(&a, self.shift),
+            near_big(&b, self.shift),
+            near_big(&c, 2 * self.shift),
             length,
         ];
-        self.balls.push(doubles.each_ref().map(nearest));
-        self.doubles.push(doubles);
+        self.push_near(doubles);
         self.lines.push(Line::Big(Box::new([a, b, c])));
+    }
+
+    fn push_near(&mut self, doubles: [BallDd; 4]) {
+        self.roughs.push(rough::line(&doubles, self.shift == 0));
+        self.doubles.push(doubles);
     }
 
     /// The same plane: the same line, side and speed.
@@ -439,6 +442,18 @@ impl Planes {
         } else {
             a == -d && b == -e && c == -f
         }
+    }
+
+    /// The sign of the turn from one plane to another, where the numbers of both lines are small.
+    pub(super) fn small_turn(&self, i: PlaneId, j: PlaneId) -> Option<Sign> {
+        let [Line::Small { a, b, .. }, Line::Small { a: p, b: q, .. }] =
+            [i, j].map(|id| &self.lines[(id.0 >> 1) as usize])
+        else {
+            return None;
+        };
+        let wide = |x: &i64, y: &i64| i128::from(*x) * i128::from(*y);
+        let sign = Sign::from(wide(a, q).cmp(&wide(p, b)));
+        Some(if (i.0 ^ j.0) & 1 == 0 { sign } else { -sign })
     }
 
     /// Which of two planes is the faster one?
@@ -467,28 +482,28 @@ impl Planes {
     /// Asks one rung after the other until one answers.
     #[inline]
     pub(crate) fn decide<Q: Question>(&self, question: &Q) -> Sign {
-        let mut rungs = self.rungs.get();
-        if let Some(sign) = question.ask::<Ball>(self) {
-            rungs.by_f64 += 1;
-            self.rungs.set(rungs);
-            return sign;
-        }
-        self.decide_slowly(question)
+        let Some(sign) = question.ask::<Rough>(self) else {
+            return self.decide_slowly(question);
+        };
+        self.count(|rungs| rungs.by_f64 += 1);
+        sign
     }
 
-    /// The answer of the first rung, if it has one.
-    pub(super) fn decide_roughly<Q: Question>(&self, question: &Q) -> Option<Sign> {
-        let sign = question.ask::<Ball>(self)?;
+    /// Counts a decision.
+    #[inline]
+    pub(super) fn count(&self, by: impl FnOnce(&mut Rungs)) {
         let mut rungs = self.rungs.get();
-        rungs.by_f64 += 1;
+        by(&mut rungs);
         self.rungs.set(rungs);
-        Some(sign)
     }
 
     #[cold]
     fn decide_slowly<Q: Question>(&self, question: &Q) -> Sign {
         let mut rungs = self.rungs.get();
-        let sign = if let Some(sign) = self.ask_on_grid(question) {
+        let sign = if let Some(sign) = question.ask::<Ball>(self) {
+            rungs.by_f64 += 1;
+            sign
+        } else if let Some(sign) = self.ask_on_grid(question) {
             rungs.by_exact += 1;
             sign
         } else if let Some(sign) = question.ask::<BallDd>(self) {

@@ -136,7 +136,10 @@ impl Skeleton {
             return Err(InvalidRoof::Slope(slope));
         }
         let bounded = bounded_faces(self);
-        let mut mesh = Mesh::default();
+        let mut mesh = Mesh {
+            vertices: Vec::with_capacity(self.nodes().len()),
+            faces: Vec::with_capacity(self.faces().len()),
+        };
         let mut number = vec![None; self.nodes().len()];
         for face in (0..self.faces().len())
             .map(FaceId::new)

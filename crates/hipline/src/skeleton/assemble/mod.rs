@@ -325,7 +325,8 @@ impl Assembly<'_> {
         }
         let mut seen = vec![false; self.next.len()];
         let mut faces = Vec::with_capacity(order.len());
-        let mut cycles = vec![0_u32];
+        let mut cycles = Vec::with_capacity(order.len() + 1);
+        cycles.push(0_u32);
         let mut corners: Vec<u32> = Vec::with_capacity(3 * self.pieces.len());
         let mut inner = self.inner_cycles(&order, &mut seen);
         for &(edge, side, face) in &order {
@@ -348,18 +349,20 @@ impl Assembly<'_> {
         }
         let (nodes, number) = self.number_nodes();
         let name = |node: u32| NodeId::new(number[node as usize] as usize);
-        Skeleton {
-            nodes,
-            arcs: self
-                .pieces
+        let mut arcs = Vec::with_capacity(self.pieces.len());
+        arcs.extend(
+            self.pieces
                 .iter()
                 .filter(|piece| piece.from != piece.to)
                 .map(|piece| Arc {
                     nodes: [name(piece.from), name(piece.to)],
                     faces: piece.faces.map(|face| FaceId::new(face as usize)),
                     kind: piece.kind,
-                })
-                .collect(),
+                }),
+        );
+        Skeleton {
+            nodes,
+            arcs,
             faces,
             cycles,
             corners: corners.into_iter().map(name).collect(),
