@@ -1,6 +1,9 @@
 //! From polygons, polylines and graphs to a checked figure.
 
-use super::{Figure, Flaw, InvalidFigure, crossing, gather, nesting, range::Scale, triangulate};
+use super::{
+    Change, Figure, Flaw, InvalidFigure, change::Changes, crossing, gather, nesting, range::Scale,
+    triangulate,
+};
 
 /// Collects polygons, polylines and graphs, then checks them all at once.
 ///
@@ -30,6 +33,7 @@ use super::{Figure, Flaw, InvalidFigure, crossing, gather, nesting, range::Scale
 #[derive(Debug, Clone, Default)]
 pub struct FigureBuilder {
     parts: Vec<Part>,
+    changes: Vec<Change>,
 }
 
 /// What one call to the builder added.
@@ -118,6 +122,32 @@ impl FigureBuilder {
         })
     }
 
+    /// From a time on, an edge moves at another speed. Speeds at time zero are given with the
+    /// edges, so a late start is a speed of zero there and a change here.
+    ///
+    /// ```
+    /// use hipline::input::{Change, Place, Sides};
+    ///
+    /// let mut builder = hipline::FigureBuilder::new();
+    /// let part = builder.polygon(vec![vec![[0., 0.], [8., 0.], [8., 6.], [0., 6.]]]);
+    /// // A mansard roof: from the height 1 on, all slopes are a quarter as steep.
+    /// for index in 0..4 {
+    ///     builder.change(Change {
+    ///         edge: Place { part, ring: 0, index },
+    ///         sides: Sides::Both,
+    ///         time: 1.0,
+    ///         speed: 4.0,
+    ///     });
+    /// }
+    /// let skeleton = builder.build()?.skeleton(hipline::Options::default());
+    /// let top = skeleton.nodes().iter().map(|node| node.time).fold(0.0, f64::max);
+    /// assert_eq!(top, 1.5);
+    /// # Ok::<(), hipline::InvalidFigure>(())
+    /// ```
+    pub fn change(&mut self, change: Change) {
+        self.changes.push(change);
+    }
+
     /// Checks everything and builds the figure.
     ///
     /// # Complexity
@@ -127,8 +157,10 @@ impl FigureBuilder {
     /// # Errors
     /// Every [`Flaw`] of the input, in the caller's own numbering.
     pub fn build(self) -> Result<Figure, InvalidFigure> {
-        let mut gathered = gather::gather(&self.parts);
-        let mut flaws = std::mem::take(&mut gathered.flaws);
+        let mut flaws = Vec::new();
+        let changes = Changes::new(&self.changes, &self.parts, &mut flaws);
+        let mut gathered = gather::gather(&self.parts, &changes);
+        flaws.append(&mut gathered.flaws);
         if gathered.edges.is_empty() {
             if flaws.is_empty() {
                 flaws.push(Flaw::Empty);
@@ -170,6 +202,7 @@ impl FigureBuilder {
         Ok(Figure {
             terminals: degrees.iter().filter(|&&degree| degree == 1).count(),
             has_polygon: edges.iter().any(|edge| edge.on_ring),
+            changes: changes.of_edges(&edges),
             vertices,
             edges,
             mesh,

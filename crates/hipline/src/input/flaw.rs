@@ -100,13 +100,35 @@ pub enum Flaw {
         /// How many vertices the graph has.
         count: usize,
     },
-    /// A speed that is not a positive finite number.
-    #[error("{} has the speed {speed}; a speed must be positive and finite", Edge(.edge))]
+    /// A speed that is negative or not finite.
+    #[error("{} has the speed {speed}; a speed must be finite and not negative", Edge(.edge))]
     BadSpeed {
         /// The edge.
         edge: Place,
         /// Its speed.
         speed: f64,
+    },
+    /// A change of speed names an edge that is not there.
+    #[error("a change of speed names {}, which is not there", Edge(.edge))]
+    NoSuchEdge {
+        /// The name it has for an edge.
+        edge: Place,
+    },
+    /// The time of a change of speed is not a positive finite number.
+    #[error("{} changes its speed at the time {time}; a time must be positive and finite", Edge(.edge))]
+    BadTime {
+        /// The edge.
+        edge: Place,
+        /// The time.
+        time: f64,
+    },
+    /// An edge changes its speed twice at one time.
+    #[error("{} changes its speed twice at the time {time}", Edge(.edge))]
+    TwoChanges {
+        /// The edge.
+        edge: Place,
+        /// The time.
+        time: f64,
     },
     /// Not one speed for each edge.
     #[error("{} has {needed} edges and {found} speeds", Ring(.at))]

@@ -6,6 +6,7 @@
 //! numbering. Whatever takes a `&Figure` can trust it.
 
 mod builder;
+mod change;
 #[cfg(any(test, debug_assertions))]
 mod check;
 mod collinear;
@@ -22,6 +23,7 @@ mod range;
 mod triangulate;
 
 pub use builder::FigureBuilder;
+pub use change::{Change, Sides, SpeedChange};
 pub use figure::{Edge, Figure, Source};
 pub use flaw::{Flaw, InvalidFigure, Place};
 pub(crate) use mesh::{Mesh, MeshEdge};

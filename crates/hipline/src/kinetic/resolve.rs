@@ -375,6 +375,7 @@ impl Kinetic<'_> {
         let Wave { plane, face } = *self.front.wave(wave);
         let second = self.triangulation.push_wave(t);
         self.front.waves.push(Wave { plane, face });
+        self.register(second);
         let end = self.spawn(wave, at_w.out, node, w);
         let start = self.spawn(at_w.inn, second, node, w);
         self.front.start_moves(w, end);

@@ -18,9 +18,14 @@ use hipline_num::{BallDd, Number, Sign, Wide};
 /// The planes whose meeting makes a wavefront edge vanish.
 fn collapse_planes(triangulation: &Triangulation, front: &Wavefront, wave: WaveId) -> [PlaneId; 3] {
     let [start, end] = triangulation.ends(wave);
-    let before = front.wave(front.trace(start).inn).plane;
-    let after = front.wave(front.trace(end).out).plane;
-    [before, front.wave(wave).plane, after]
+    let plane = front.wave(wave).plane;
+    // Not always those of the wavefront edges before and after: see terminals that stand still.
+    let other = |[i, j]: [PlaneId; 2]| if i == plane { j } else { i };
+    [
+        other(front.trace(start).pair),
+        plane,
+        other(front.trace(end).pair),
+    ]
 }
 
 pub(super) fn corner(front: &Wavefront, tip: super::triangulation::Tip) -> Corner {

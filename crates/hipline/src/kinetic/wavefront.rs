@@ -9,6 +9,7 @@
 use crate::predicates::PlaneId;
 use crate::topology::{TraceId, WaveId};
 use hipline_num::Sign;
+use std::collections::BTreeMap;
 
 /// A step of a face's boundary.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -90,6 +91,12 @@ pub(crate) struct Wavefront {
     pub after_base: Vec<Walk>,
     /// For each face, the one whose plane it was found to share.
     joint: Vec<u32>,
+    /// The number of faces that start at edges and terminals. The others start at creases.
+    pub bases: u32,
+    /// The creases at which faces start, ascending.
+    pub creases: Vec<TraceId>,
+    /// The planes of faces of terminals that started late.
+    pub late: BTreeMap<u32, PlaneId>,
 }
 
 fn root(parents: &mut [u32], mut i: u32) -> u32 {
@@ -107,6 +114,7 @@ impl Wavefront {
             vertices: vertices as u32,
             after_base: vec![Walk::Open; faces],
             joint: (0..faces as u32).collect(),
+            bases: faces as u32,
             ..Self::default()
         }
     }
@@ -126,6 +134,29 @@ impl Wavefront {
     pub(super) fn push_trace(&mut self, trace: Trace) -> TraceId {
         self.traces.push(trace);
         TraceId::new(self.traces.len() - 1)
+    }
+
+    /// Adds a face that starts at a crease.
+    pub(super) fn push_face(&mut self, crease: TraceId) -> u32 {
+        let face = self.after_base.len() as u32;
+        self.creases.push(crease);
+        self.after_base.push(Walk::Open);
+        self.joint.push(face);
+        face
+    }
+
+    /// The walk along which a face starts, if it is there.
+    pub(crate) fn first_walk(&self, face: u32) -> Option<Walk> {
+        match face.checked_sub(self.bases) {
+            Some(i) => Some(Walk::Down(self.creases[i as usize])),
+            None if self.after_base[face as usize] == Walk::Open => None,
+            None => Some(Walk::Base(face)),
+        }
+    }
+
+    /// Whether a trace is a crease: an arc of one height where speeds change.
+    pub(crate) fn is_crease(&self, x: TraceId) -> bool {
+        self.creases.binary_search(&x).is_ok()
     }
 
     /// Adds an event node.

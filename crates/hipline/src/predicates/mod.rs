@@ -8,9 +8,11 @@ mod grid;
 mod heading;
 mod moment;
 mod orientation;
+mod phases;
 mod place;
 mod planes;
 mod root;
+mod speeds;
 mod terminal;
 
 pub(crate) use expression::{Corner, Direction};

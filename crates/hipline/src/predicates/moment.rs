@@ -483,7 +483,33 @@ impl Curve for Heading {
     }
 }
 
+/// How far one of two parallel planes is ahead of the other at time zero, or the difference
+/// of their speeds.
+struct Apart(PlaneId, PlaneId, bool);
+
+impl Curve for Apart {
+    const LINEAR: bool = true;
+    fn coefficients<T: Rung>(&self, planes: &Planes) -> Option<Quadratic<T>> {
+        let (i, j) = (T::plane(planes, self.0), T::plane(planes, self.1));
+        let value = if self.2 {
+            i.s.minus(&j.s)
+        } else {
+            i.c.minus(&j.c)
+        };
+        Some([value, T::zero(), T::zero()])
+    }
+}
+
 impl Planes {
+    /// Whether two planes, one of them of a later phase, are the same.
+    pub(super) fn are_one(&self, i: PlaneId, j: PlaneId) -> bool {
+        // Normals are coprime integers, so parallel ones of one direction are equal.
+        self.turn(i, j).is_zero()
+            && self.same_direction(i, j)
+            && self.sign_of(&Apart(i, j, true)).is_zero()
+            && self.sign_of(&Apart(i, j, false)).is_zero()
+    }
+
     /// Whether a wavefront edge moves in a direction (zero: across it).
     pub(crate) fn heads(&self, plane: PlaneId, direction: Direction) -> Sign {
         self.sign_of(&Heading(plane, direction))

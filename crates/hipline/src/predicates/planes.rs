@@ -6,11 +6,12 @@
 //! two, `a`, `b`, `c` and `w` are integers; dividing `a`, `b`, `c` by `gcd(a, b)` keeps
 //! them small on grids. The root is the only irrational number in the plane.
 
-use dashu_int::{IBig, ops::Gcd, ops::UnsignedAbs};
+use dashu_int::{IBig, UBig, ops::Gcd, ops::UnsignedAbs};
 use hipline_num::{Ball, BallDd, Number, Rungs, Sign, Surd, Wide, f64_to_parts, perfect_root};
 use std::cell::Cell;
 
 use super::grid::{common_unit, gcd, scaled, scaled_small};
+use super::phases::{self, Phases};
 use super::{
     Terminal,
     expression::Quadratic,
@@ -46,9 +47,15 @@ pub(crate) struct Plane<T> {
 
 /// A line with coprime integer normal.
 #[derive(Debug, Clone)]
-enum Line {
-    Small { a: i64, b: i64, c: i128 },
+pub(super) enum Line {
+    Small {
+        a: i64,
+        b: i64,
+        c: i128,
+    },
     Big(Box<[IBig; 3]>),
+    /// No line: the plane of one height, `0 = c + s t`.
+    Level(IBig),
 }
 
 impl Line {
@@ -56,26 +63,44 @@ impl Line {
         match self {
             Self::Small { a, b, c } => [IBig::from(*a), IBig::from(*b), IBig::from(*c)],
             Self::Big(abc) => (**abc).clone(),
+            Self::Level(c) => [IBig::ZERO, IBig::ZERO, c.clone()],
+        }
+    }
+
+    /// The square of the length of the normal; one for a plane of one height.
+    fn square(&self) -> UBig {
+        match self {
+            Self::Level(_) => UBig::ONE,
+            _ => {
+                let [a, b, _] = self.integers();
+                (&a * &a + &b * &b).unsigned_abs()
+            }
         }
     }
 }
 
 /// The speeds of the planes, as integers over a common power of two.
 #[derive(Debug, Clone)]
-struct Speeds {
-    exact: Vec<IBig>,
+pub(super) struct Speeds {
+    pub(super) exact: Vec<IBig>,
     /// Binary digits dropped in the approximations, lest they overflow.
-    shift: i32,
+    pub(super) shift: i32,
 }
 
 /// All planes of a figure.
 #[derive(Debug)]
 pub(crate) struct Planes {
-    lines: Vec<Line>,
-    balls: Vec<[Ball; 4]>,
-    doubles: Vec<[BallDd; 4]>,
+    pub(super) lines: Vec<Line>,
+    pub(super) balls: Vec<[Ball; 4]>,
+    pub(super) doubles: Vec<[BallDd; 4]>,
     /// `None`: every speed is one.
-    speeds: Option<Speeds>,
+    pub(super) speeds: Option<Speeds>,
+    /// What the planes of later phases are those of.
+    pub phases: Phases,
+    /// The number of the first line of a later phase.
+    pub(super) first_later: usize,
+    /// By how much the planes of later phases are ahead at time zero.
+    pub(super) offsets: Vec<IBig>,
     /// Binary digits of the coordinates dropped in the approximations.
     pub shift: i32,
     /// Coordinates are `integer * 2^unit + origin`.
@@ -101,11 +126,15 @@ pub(crate) trait Rung: Number {
 
     /// One plane.
     fn plane(planes: &Planes, id: PlaneId) -> Plane<Self> {
-        let [a, b, c, mut s] = Self::line(planes, (id.0 >> 1) as usize);
-        if let Some(speeds) = &planes.speeds {
-            s = s.times(&Self::integer(&speeds.exact[id.0 as usize], speeds.shift));
-        }
-        if id.0 & 1 == 0 {
+        let line = (id.0 >> 1) as usize;
+        let [a, b, c, length] = Self::line(planes, line);
+        let s = match &planes.speeds {
+            Some(speeds) => {
+                length.times(&Self::integer(&speeds.exact[id.0 as usize], speeds.shift))
+            }
+            None => length.clone(),
+        };
+        let mut plane = if id.0 & 1 == 0 {
             Plane { a, b, c, s }
         } else {
             Plane {
@@ -114,7 +143,14 @@ pub(crate) trait Rung: Number {
                 c: c.negated(),
                 s,
             }
+        };
+        if line >= planes.first_later
+            && let Some(offset) = planes.offsets.get(line - planes.first_later)
+        {
+            let ahead = length.times(&Self::integer(offset, planes.shift));
+            plane.c = plane.c.plus(&ahead);
         }
+        plane
     }
 }
 
@@ -170,7 +206,7 @@ impl Rung for BallDd {
 }
 
 /// `p` and `q` with the given time = `p / q`, in the unit that meetings are in.
-fn exact_time(planes: &Planes, time: f64) -> [IBig; 2] {
+pub(super) fn exact_time(planes: &Planes, time: f64) -> [IBig; 2] {
     let (mantissa, exponent) = f64_to_parts(time);
     let shift = exponent - planes.time_unit;
     let power = |digits: i32| IBig::ONE << digits.max(0) as usize;
@@ -183,7 +219,7 @@ impl Rung for Wide {
     }
     fn line(planes: &Planes, line: usize) -> [Self; 4] {
         let [a, b, c] = planes.lines[line].integers();
-        let square = (&a * &a + &b * &b).unsigned_abs();
+        let square = planes.lines[line].square();
         [
             Self::from_int(&a),
             Self::from_int(&b),
@@ -209,7 +245,7 @@ impl Rung for Surd {
     }
     fn line(planes: &Planes, line: usize) -> [Self; 4] {
         let [a, b, c] = planes.lines[line].integers();
-        let square = (&a * &a + &b * &b).unsigned_abs();
+        let square = planes.lines[line].square();
         [
             Self::from_int(a),
             Self::from_int(b),
@@ -257,7 +293,7 @@ fn near(value: i128, shift: i32) -> BallDd {
 const TINY: f64 = f64::EPSILON * f64::EPSILON;
 
 /// The enclosure in f64 of one in double-double.
-fn nearest(value: &BallDd) -> Ball {
+pub(super) fn nearest(value: &BallDd) -> Ball {
     Ball::new(
         value.value(),
         (value.low().abs() + value.error()) * (1.0 + 4.0 * f64::EPSILON),
@@ -272,7 +308,14 @@ impl Planes {
     /// terminals', in order of their vertices.
     pub(crate) fn new(figure: &Figure, terminals: &[Terminal]) -> Self {
         let vertices = figure.vertices();
-        let (unit, bits) = common_unit(vertices.iter().flatten().copied());
+        let lines = figure.edges().len() + terminals.len();
+        let phases = Phases::new(figure, terminals, lines);
+        let (mut unit, mut bits) = common_unit(vertices.iter().flatten().copied());
+        if let Some((low, high)) = phases::range(phases.later()) {
+            let high = high.max(unit + bits);
+            unit = unit.min(low);
+            bits = high - unit;
+        }
         // Where zero is among the coordinates, they may be fine around it, and so may the
         // skeleton's; elsewhere what is closest to zero serves.
         let origin = [0, 1].map(|axis| {
@@ -289,10 +332,13 @@ impl Planes {
         });
         let shift = if bits > 53 { bits - 30 } else { 0 };
         let mut planes = Self {
-            lines: Vec::with_capacity(figure.edges().len() + terminals.len()),
-            balls: Vec::with_capacity(figure.edges().len() + terminals.len()),
-            doubles: Vec::with_capacity(figure.edges().len() + terminals.len()),
+            lines: Vec::with_capacity(lines),
+            balls: Vec::with_capacity(lines),
+            doubles: Vec::with_capacity(lines),
             speeds: None,
+            phases,
+            first_later: lines,
+            offsets: Vec::new(),
             shift,
             unit,
             origin,
@@ -339,31 +385,9 @@ impl Planes {
                 planes.push_big(&q[0] - &p[0], &q[1] - &p[1], q);
             }
         }
+        planes.add_later_phases();
         planes.set_speeds(figure, terminals);
         planes
-    }
-
-    fn set_speeds(&mut self, figure: &Figure, terminals: &[Terminal]) {
-        #[expect(clippy::float_cmp, reason = "asks for the number one itself")]
-        let plain = figure.edges().iter().all(|e| e.speeds == [1.0, 1.0]);
-        if plain {
-            return;
-        }
-        let all = || {
-            let edges = figure.edges().iter().flat_map(|e| e.speeds);
-            edges.chain(terminals.iter().flat_map(|t| [t.speed, t.speed]))
-        };
-        let (unit, bits) = common_unit(all());
-        let shift = if bits > 20 || self.shift > 0 {
-            (bits - 10).max(0)
-        } else {
-            0
-        };
-        self.speeds = Some(Speeds {
-            exact: all().map(|w| scaled(w, unit)).collect(),
-            shift,
-        });
-        self.time_unit = self.unit - unit;
     }
 
     fn push_small(&mut self, a: i64, b: i64, point: [i64; 2]) {
@@ -412,12 +436,16 @@ impl Planes {
         self.lines.push(Line::Big(Box::new([a, b, c])));
     }
 
-    /// The same plane: the same line, side and speed.
+    /// The same plane.
     pub(crate) fn coplanar(&self, i: PlaneId, j: PlaneId) -> bool {
         if i == j {
             return true;
         }
-        if self.compare_speeds(i, j).is_ne() {
+        let later = |plane: PlaneId| (plane.0 >> 1) as usize >= self.first_later;
+        if later(i) || later(j) {
+            return self.are_one(i, j);
+        }
+        if !self.are_equally_fast(i, j) {
             return false;
         }
         let [a, b, c] = self.lines[(i.0 >> 1) as usize].integers();
@@ -463,20 +491,16 @@ impl Planes {
     /// are the same coefficients of the same roots. Exact where it says yes; `N` and `D` do not
     /// change when a figure is moved, so it says yes for copies of one shape.
     pub(crate) fn meet_evidently_together(&self, s: [PlaneId; 3], t: [PlaneId; 3]) -> bool {
+        let later = |plane: &PlaneId| (plane.0 >> 1) as usize >= self.first_later;
+        if s.iter().chain(&t).any(later) {
+            return false;
+        }
         let ((n1, d1), (n2, d2)) = (self.formal_meeting(s), self.formal_meeting(t));
         d1.len() == d2.len()
             && d1
                 .iter()
                 .zip(&d2)
                 .all(|((r1, c1), (r2, c2))| r1 == r2 && &n1 * c2 == &n2 * c1)
-    }
-
-    /// Which of two planes is the faster one?
-    pub(crate) fn compare_speeds(&self, i: PlaneId, j: PlaneId) -> std::cmp::Ordering {
-        match &self.speeds {
-            None => std::cmp::Ordering::Equal,
-            Some(speeds) => speeds.exact[i.0 as usize].cmp(&speeds.exact[j.0 as usize]),
-        }
     }
 
     /// Binary digits of the speeds dropped in the approximations.

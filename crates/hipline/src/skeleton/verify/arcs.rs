@@ -59,9 +59,22 @@ impl Checker<'_> {
             Nature::Crossing(Sign::Negative) => ArcKind::Valley,
             Nature::Level | Nature::Crossing(_) => ArcKind::Ridge,
         };
-        if self.skeleton.arc(id).kind != expected {
+        let kind = self.skeleton.arc(id).kind;
+        if kind != expected
+            && !(kind == ArcKind::Crease && nature == Nature::Level && self.is_crease(id))
+        {
             self.report.add(Violation::WrongKind { arc: id });
         }
+    }
+
+    /// Whether the face on the right starts at the time of the arc, because its edge changes
+    /// its speed then. (An arc along which one edge overruns another just then may seem so.)
+    fn is_crease(&self, id: ArcId) -> bool {
+        let arc = self.skeleton.arc(id);
+        let above = self.plane_of(arc.faces[1]);
+        let start = self.planes.phases.time_of(above);
+        let place = self.places[arc.nodes[0].index()].expect("arcs start at finite nodes");
+        start > 0.0 && self.planes.compare_time(&place, start).is_eq()
     }
 
     fn check_ends(&mut self, id: ArcId, nature: Nature) {

@@ -1,0 +1,108 @@
+//! The speeds of planes, and the planes that exist because speeds change.
+
+use dashu_int::IBig;
+use hipline_num::{BallDd, Number};
+
+use super::{
+    Terminal,
+    grid::{common_unit, scaled},
+    phases,
+    planes::{Line, PlaneId, Planes, Rung, Speeds, exact_time, nearest},
+};
+use crate::input::Figure;
+
+impl Planes {
+    /// The lines of later phases: copies of those of the first ones.
+    pub(super) fn add_later_phases(&mut self) {
+        for (first, omega) in self.phases.later() {
+            let line = (first.0 >> 1) as usize;
+            self.lines.push(self.lines[line].clone());
+            self.balls.push(self.balls[line]);
+            self.doubles.push(self.doubles[line]);
+            self.offsets.push(phases::offset(omega, self.unit));
+        }
+    }
+
+    /// The planes of one height. Returns their speeds.
+    fn add_levels(&mut self) -> Vec<IBig> {
+        let mut speeds = Vec::new();
+        for &(time, _) in self.phases.levels() {
+            let [p, q] = exact_time(self, time);
+            let c = -p;
+            let doubles = [
+                BallDd::from_i64(0),
+                BallDd::from_i64(0),
+                BallDd::integer(&c, self.shift),
+                BallDd::from_i64(1),
+            ];
+            self.balls.push(doubles.each_ref().map(nearest));
+            self.doubles.push(doubles);
+            self.lines.push(Line::Level(c));
+            speeds.extend([q.clone(), q]);
+        }
+        speeds
+    }
+
+    pub(super) fn set_speeds(&mut self, figure: &Figure, terminals: &[Terminal]) {
+        #[expect(clippy::float_cmp, reason = "asks for the number one itself")]
+        let plain = figure.edges().iter().all(|e| e.speeds == [1.0, 1.0]);
+        if plain && self.phases.is_empty() {
+            return;
+        }
+        let all = || {
+            let edges = figure.edges().iter().flat_map(|e| e.speeds);
+            let first = edges.chain(terminals.iter().flat_map(|t| [t.speed, t.speed]));
+            first.chain(self.phases.later_speeds().flat_map(|w| [w, w]))
+        };
+        let (unit, bits) = common_unit(all());
+        let shift = if bits > 20 || self.shift > 0 {
+            (bits - 10).max(0)
+        } else {
+            0
+        };
+        let mut exact: Vec<IBig> = all().map(|w| scaled(w, unit)).collect();
+        self.time_unit = self.unit - unit;
+        exact.append(&mut self.add_levels());
+        self.speeds = Some(Speeds { exact, shift });
+    }
+
+    /// Which of two planes is the faster one? Of equally fast ones, the one whose wavefront
+    /// edge will be the faster one as soon as their speeds differ.
+    pub(crate) fn compare_speeds(&self, i: PlaneId, j: PlaneId) -> std::cmp::Ordering {
+        match &self.speeds {
+            None => std::cmp::Ordering::Equal,
+            Some(speeds) => speeds.exact[i.0 as usize]
+                .cmp(&speeds.exact[j.0 as usize])
+                .then_with(|| self.phases.compare_futures(i, j)),
+        }
+    }
+
+    /// Whether two planes have one speed.
+    pub(super) fn are_equally_fast(&self, i: PlaneId, j: PlaneId) -> bool {
+        let equal = |speeds: &Speeds| speeds.exact[i.0 as usize] == speeds.exact[j.0 as usize];
+        self.speeds.as_ref().is_none_or(equal)
+    }
+
+    /// Whether a wavefront edge does not move.
+    pub(crate) fn stands_still(&self, plane: PlaneId) -> bool {
+        let still = |speeds: &Speeds| speeds.exact[plane.0 as usize] == IBig::ZERO;
+        self.speeds.as_ref().is_some_and(still)
+    }
+
+    /// Whether some wavefront edge stands still for some time: then faces may stand upright.
+    pub(crate) fn has_upright(&self) -> bool {
+        let zero = |speeds: &Speeds| speeds.exact.contains(&IBig::ZERO);
+        self.speeds.as_ref().is_some_and(zero)
+    }
+
+    /// The moment of a time at which speeds change, by its plane of one height.
+    pub(crate) fn moment_of_level(&self, level: PlaneId) -> Option<[PlaneId; 3]> {
+        let first = PlaneId(0);
+        let others = (1..self.first_later as u32).map(|line| PlaneId(2 * line));
+        let mut triple = others
+            .map(|other| [first, other, level])
+            .find(|triple| self.do_meet(*triple))?;
+        triple.sort_unstable();
+        Some(triple)
+    }
+}

@@ -1,0 +1,112 @@
+//! The names of faces: edge, side, phase.
+
+use super::{Assembly, Side};
+use crate::{
+    kinetic::Walk,
+    predicates::{PlaneId, Terminal},
+};
+
+/// The name of a face, in the order of faces.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) struct Name {
+    pub edge: u32,
+    pub side: Side,
+    pub phase: u32,
+    /// The number of the face in the wavefront.
+    pub face: u32,
+}
+
+impl Assembly<'_> {
+    /// The names of all faces that are there, in order.
+    pub(super) fn names(&self, terminals: &[Terminal]) -> Vec<Name> {
+        let planes = self.face_planes();
+        let mut names: Vec<Name> = (0..self.front.after_base.len() as u32)
+            .filter(|&face| self.front.first_walk(face).is_some())
+            .map(|face| self.name(face, planes[face as usize], terminals))
+            .collect();
+        names.sort_unstable();
+        names
+    }
+
+    fn name(&self, face: u32, plane: PlaneId, terminals: &[Terminal]) -> Name {
+        let edges = self.figure.edges();
+        let (first, phase) = self.planes.phases.origin(plane);
+        let line = (first.0 / 2) as usize;
+        let (edge, side) = match terminals.get(line.wrapping_sub(edges.len())) {
+            Some(terminal) => {
+                let at_start = edges[terminal.edge].from.index() == terminal.tip;
+                let side = if at_start { Side::Start } else { Side::End };
+                (terminal.edge as u32, side)
+            }
+            None => (
+                line as u32,
+                if first.0.is_multiple_of(2) {
+                    Side::Left
+                } else {
+                    Side::Right
+                },
+            ),
+        };
+        Name {
+            edge,
+            side,
+            phase,
+            face,
+        }
+    }
+
+    /// The plane of each face, in the numbering of the wavefront.
+    ///
+    /// A face that starts at a crease may have several faces of one plane below it, whose
+    /// wavefront edges went on as one; it gets its name from the first of them.
+    fn face_planes(&self) -> Vec<PlaneId> {
+        let front = &self.front;
+        let sides = 2 * self.figure.edges().len() as u32;
+        let mut planes: Vec<PlaneId> = (0..front.bases)
+            .map(|face| match front.late.get(&face) {
+                Some(&plane) => plane,
+                None if face < sides => PlaneId(face),
+                None => PlaneId(sides + 2 * (face - sides)),
+            })
+            .collect();
+        if front.creases.is_empty() {
+            return planes;
+        }
+        let mut face_of = vec![u32::MAX; self.next.len()];
+        let mut mark = |face: u32| {
+            if let Some(walk) = front.first_walk(face) {
+                for step in self.around(self.step(walk)) {
+                    face_of[step] = face;
+                }
+            }
+        };
+        (0..front.bases).for_each(&mut mark);
+        let mut below: Vec<Vec<u32>> = Vec::new();
+        for face in front.bases..front.after_base.len() as u32 {
+            mark(face);
+        }
+        for &crease in &front.creases {
+            let [first, end] = self.of_trace[crease.index()];
+            let faces = (first..end).map(|piece| face_of[2 * piece as usize]);
+            below.push(faces.filter(|&face| face != u32::MAX).collect());
+        }
+        for (crease, below) in front.creases.iter().zip(below) {
+            let out = front.wave(front.trace(*crease).out).plane;
+            let old = front.wave(front.trace(*crease).inn).plane;
+            let time = self.planes.phases.time_of(out);
+            let plane = below
+                .into_iter()
+                .map(|face| planes[face as usize])
+                .chain(std::iter::once(old))
+                .filter_map(|plane| self.planes.phases.after(plane, time))
+                .min_by_key(|&plane| self.planes.phases.origin(plane).0);
+            planes.push(plane.unwrap_or(out));
+        }
+        planes
+    }
+
+    /// The walk along which a face starts.
+    pub(super) fn start_walk(&self, face: u32) -> Walk {
+        self.front.first_walk(face).expect("the face is there")
+    }
+}
