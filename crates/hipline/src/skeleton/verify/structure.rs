@@ -276,8 +276,10 @@ impl Checker<'_> {
             })
             .collect();
         list.sort_unstable();
+        // Where edges stand still, upright faces may lie back to back.
+        let may_repeat = self.planes.has_upright();
         for pair in list.windows(2) {
-            if pair[0].0 == pair[1].0 {
+            if pair[0].0 == pair[1].0 && !may_repeat {
                 let [first, second] = [0, 1].map(|k| ArcId::raw(pair[k].1));
                 self.report.add(Violation::DoubleArc { first, second });
             }
@@ -375,11 +377,18 @@ impl Checker<'_> {
             }
             let mut ends = [from, to].map(|n| n.index() as u32);
             ends.sort_unstable();
-            let Ok(at) = by_ends.binary_search_by_key(&ends, |entry| entry.0) else {
+            let at = by_ends.partition_point(|entry| entry.0 < ends);
+            let same = by_ends[at..].iter().take_while(|entry| entry.0 == ends);
+            let mut same = same.map(|entry| ArcId::raw(entry.1));
+            let Some(first) = same.clone().next() else {
                 self.report.add(Violation::NoArc { face, from, to });
                 continue;
             };
-            let arc = ArcId::raw(by_ends[at].1);
+            let is_ours = |arc: &ArcId| {
+                let arc = s.arc(*arc);
+                arc.faces[usize::from(arc.nodes[0] != from)] == face
+            };
+            let arc = same.find(is_ours).unwrap_or(first);
             let backward = usize::from(s.arc(arc).nodes[0] != from);
             let dart = 2 * arc.index() + backward;
             *step = dart as u32;
