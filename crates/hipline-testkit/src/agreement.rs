@@ -67,7 +67,7 @@ pub struct Drawn {
     pub ends: [End; 2],
     /// The faces (edge and side) on its left and right, seen from the first end.
     pub faces: [(usize, Side); 2],
-    /// 0 for a ridge, 1 for a valley, 2 for a ghost.
+    /// 0 for a ridge, 1 for a valley, 2 for a ghost, 3 for a crease.
     kind: u8,
 }
 
@@ -83,6 +83,7 @@ impl Drawn {
             ArcKind::Ridge => 0,
             ArcKind::Valley => 1,
             ArcKind::Ghost => 2,
+            ArcKind::Crease => 3,
         };
         Self { ends, faces, kind }
     }
@@ -99,7 +100,8 @@ impl Drawn {
         match self.kind {
             0 => ArcKind::Ridge,
             1 => ArcKind::Valley,
-            _ => ArcKind::Ghost,
+            2 => ArcKind::Ghost,
+            _ => ArcKind::Crease,
         }
     }
 }

@@ -153,6 +153,7 @@ enum WireArcKind {
     Ridge,
     Valley,
     Ghost,
+    Crease,
 }
 
 #[derive(Deserialize)]
@@ -175,6 +176,8 @@ enum WireSide {
 struct WireFace {
     edge: u32,
     side: WireSide,
+    #[serde(default)]
+    phase: u32,
     nodes: Vec<u32>,
     #[serde(default)]
     holes: Vec<Vec<u32>>,
@@ -202,6 +205,7 @@ impl Wire {
                 WireArcKind::Ridge => ArcKind::Ridge,
                 WireArcKind::Valley => ArcKind::Valley,
                 WireArcKind::Ghost => ArcKind::Ghost,
+                WireArcKind::Crease => ArcKind::Crease,
             },
         });
         let input = InputGraph {
@@ -257,7 +261,7 @@ impl WireNode {
 }
 
 impl WireFace {
-    fn face(self) -> (EdgeId, Side, Vec<Vec<NodeId>>) {
+    fn face(self) -> (EdgeId, Side, u32, Vec<Vec<NodeId>>) {
         let side = match self.side {
             WireSide::Left => Side::Left,
             WireSide::Right => Side::Right,
@@ -269,6 +273,11 @@ impl WireFace {
             .chain(self.holes)
             .map(cycle)
             .collect();
-        (EdgeId::new(self.edge as usize), side, boundaries)
+        (
+            EdgeId::new(self.edge as usize),
+            side,
+            self.phase,
+            boundaries,
+        )
     }
 }

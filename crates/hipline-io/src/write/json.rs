@@ -139,10 +139,14 @@ fn object(w: &mut impl Write, skeleton: &Skeleton) -> io::Result<()> {
         let id = FaceId::new(i);
         write!(
             w,
-            "{{\"edge\":{},\"side\":\"{}\",\"nodes\":",
+            "{{\"edge\":{},\"side\":\"{}\",",
             face.edge.index(),
             side(face.side)
         )?;
+        if face.phase > 0 {
+            write!(w, "\"phase\":{},", face.phase)?;
+        }
+        w.write_all(b"\"nodes\":")?;
         cycle(w, skeleton.boundary(id))?;
         for (k, hole) in skeleton.holes(id).enumerate() {
             w.write_all(if k == 0 { b",\"holes\":[" } else { b"," })?;
@@ -205,6 +209,7 @@ pub(super) const fn arc_kind(kind: ArcKind) -> &'static str {
         ArcKind::Ridge => "ridge",
         ArcKind::Valley => "valley",
         ArcKind::Ghost => "ghost",
+        ArcKind::Crease => "crease",
     }
 }
 

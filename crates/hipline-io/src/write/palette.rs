@@ -29,6 +29,7 @@ pub(super) const fn arc(kind: ArcKind) -> &'static str {
         ArcKind::Ridge => "#a8412f",
         ArcKind::Valley => "#2c6d9e",
         ArcKind::Ghost => "#8d8f94",
+        ArcKind::Crease => "#b98a2f",
     }
 }
 

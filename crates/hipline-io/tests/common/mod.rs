@@ -32,10 +32,11 @@ fn arc(nodes: [usize; 2], faces: [usize; 2], kind: ArcKind) -> Arc {
     }
 }
 
-fn face(edge: usize, side: Side, nodes: &[usize]) -> (EdgeId, Side, Vec<Vec<NodeId>>) {
+fn face(edge: usize, side: Side, nodes: &[usize]) -> (EdgeId, Side, u32, Vec<Vec<NodeId>>) {
     (
         EdgeId::new(edge),
         side,
+        0,
         vec![nodes.iter().copied().map(NodeId::new).collect()],
     )
 }
@@ -137,7 +138,7 @@ pub fn with_hole() -> Skeleton {
         [0, 1, 2, 3].map(NodeId::new).to_vec(),
         [4, 6, 5].map(NodeId::new).to_vec(),
     ];
-    let faces = vec![(EdgeId::new(0), Side::Left, hole)];
+    let faces = vec![(EdgeId::new(0), Side::Left, 0, hole)];
     let input = InputGraph {
         vertices: 4,
         edges: ring(4),

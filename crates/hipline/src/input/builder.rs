@@ -1,6 +1,9 @@
 //! From polygons, polylines and graphs to a checked figure.
 
-use super::{Figure, Flaw, InvalidFigure, crossing, gather, nesting, range::Scale, triangulate};
+use super::{
+    Change, Figure, Flaw, InvalidFigure, Place, change::Changes, crossing, gather, height,
+    height::Heights, nesting, range::Scale, triangulate,
+};
 
 /// Collects polygons, polylines and graphs, then checks them all at once.
 ///
@@ -30,6 +33,8 @@ use super::{Figure, Flaw, InvalidFigure, crossing, gather, nesting, range::Scale
 #[derive(Debug, Clone, Default)]
 pub struct FigureBuilder {
     parts: Vec<Part>,
+    changes: Vec<Change>,
+    heights: Vec<(Place, f64)>,
 }
 
 /// What one call to the builder added.
@@ -118,6 +123,44 @@ impl FigureBuilder {
         })
     }
 
+    /// From a time on, an edge moves at another speed. Speeds at time zero are given with the
+    /// edges, so a late start is a speed of zero there and a change here.
+    ///
+    /// ```
+    /// use hipline::input::{Change, Place, Sides};
+    ///
+    /// let mut builder = hipline::FigureBuilder::new();
+    /// let part = builder.polygon(vec![vec![[0., 0.], [8., 0.], [8., 6.], [0., 6.]]]);
+    /// // A mansard roof: from the height 1 on, all slopes are a quarter as steep.
+    /// for index in 0..4 {
+    ///     builder.change(Change {
+    ///         edge: Place { part, ring: 0, index },
+    ///         sides: Sides::Both,
+    ///         time: 1.0,
+    ///         speed: 4.0,
+    ///     });
+    /// }
+    /// let skeleton = builder.build()?.skeleton(hipline::Options::default());
+    /// let top = skeleton.nodes().iter().map(|node| node.time).fold(0.0, f64::max);
+    /// assert_eq!(top, 1.5);
+    /// # Ok::<(), hipline::InvalidFigure>(())
+    /// ```
+    pub fn change(&mut self, change: Change) {
+        self.changes.push(change);
+    }
+
+    /// Gives a vertex a height: zero or more, in units of time. Vertices without one are at
+    /// height zero.
+    ///
+    /// An edge whose ends are at one height starts to move at that time (and stands still before).
+    /// An edge whose ends are at different heights has a tilted eave: its facet rises from
+    /// there, with the slope 1 / speed, which must be steeper than the eave itself. `docs/weights.md`
+    /// tells more; [`Skeleton::check_heights`](crate::Skeleton::check_heights) whether
+    /// all of the figure was reached at its own heights.
+    pub fn elevate(&mut self, vertex: Place, height: f64) {
+        self.heights.push((vertex, height));
+    }
+
     /// Checks everything and builds the figure.
     ///
     /// # Complexity
@@ -127,8 +170,11 @@ impl FigureBuilder {
     /// # Errors
     /// Every [`Flaw`] of the input, in the caller's own numbering.
     pub fn build(self) -> Result<Figure, InvalidFigure> {
-        let mut gathered = gather::gather(&self.parts);
-        let mut flaws = std::mem::take(&mut gathered.flaws);
+        let mut flaws = Vec::new();
+        let changes = Changes::new(&self.changes, &self.parts, &mut flaws);
+        let heights = Heights::new(&self.heights, &self.parts, &mut flaws);
+        let mut gathered = gather::gather(&self.parts, &changes, heights);
+        flaws.append(&mut gathered.flaws);
         if gathered.edges.is_empty() {
             if flaws.is_empty() {
                 flaws.push(Flaw::Empty);
@@ -144,6 +190,7 @@ impl FigureBuilder {
         };
         drop(self.parts);
         let vertices = gathered.vertices;
+        let heights = gathered.heights.finish(vertices.len());
         let mut edges = gathered.edges;
         let triangulation = triangulate::triangulate(&vertices, &mut edges, scale);
         let mut mesh = match triangulation {
@@ -154,6 +201,8 @@ impl FigureBuilder {
             }
         };
         nesting::fill(&vertices, &edges, &mut mesh, &mut flaws);
+        let changes = changes.of_edges(&edges);
+        height::check(&vertices, &edges, &heights, &changes, &mut flaws);
         if !flaws.is_empty() {
             return Err(InvalidFigure { flaws });
         }
@@ -170,6 +219,8 @@ impl FigureBuilder {
         Ok(Figure {
             terminals: degrees.iter().filter(|&&degree| degree == 1).count(),
             has_polygon: edges.iter().any(|edge| edge.on_ring),
+            changes,
+            heights,
             vertices,
             edges,
             mesh,

@@ -1,7 +1,7 @@
 //! The checked planar straight-line graph.
 
-use super::Mesh;
-use crate::topology::VertexId;
+use super::{Mesh, Place, SpeedChange};
+use crate::topology::{EdgeId, VertexId};
 
 /// A planar straight-line graph: distinct vertices, edges that meet in vertices only.
 ///
@@ -13,6 +13,9 @@ pub struct Figure {
     pub(super) edges: Vec<Edge>,
     pub(super) terminals: usize,
     pub(super) has_polygon: bool,
+    pub(super) changes: Vec<SpeedChange>,
+    /// By vertex; none if all are zero.
+    pub(super) heights: Vec<f64>,
     pub(super) mesh: Mesh,
 }
 
@@ -23,8 +26,8 @@ pub struct Edge {
     pub from: VertexId,
     /// Where it ends.
     pub to: VertexId,
-    /// The speeds (multiplicative weights, > 0) of the wavefront on its left and on its
-    /// right, in input units per unit of time.
+    /// The speeds (multiplicative weights, >= 0) of the wavefront on its left and on its
+    /// right, in input units per unit of time, at time zero. See [`Figure::changes`].
     pub speeds: [f64; 2],
     /// The caller's name for it.
     pub source: Source,
@@ -47,6 +50,18 @@ pub struct Source {
     pub edge: u32,
 }
 
+impl Source {
+    /// The same as a place among the parts.
+    #[must_use]
+    pub const fn place(self) -> Place {
+        Place {
+            part: self.part as usize,
+            ring: self.ring as usize,
+            index: self.edge as usize,
+        }
+    }
+}
+
 impl Figure {
     /// The vertices, each an `[x, y]` exactly as given, distinct.
     #[must_use]
@@ -64,6 +79,40 @@ impl Figure {
     #[must_use]
     pub const fn terminals(&self) -> usize {
         self.terminals
+    }
+
+    /// The changes of speed, by edge, then side (left first), then time.
+    #[must_use]
+    pub fn changes(&self) -> &[SpeedChange] {
+        &self.changes
+    }
+
+    /// The changes of speed of one side of an edge, in the order of time.
+    #[must_use]
+    pub fn changes_of(&self, edge: EdgeId, right: bool) -> &[SpeedChange] {
+        let side = |change: &SpeedChange| (change.edge, change.right);
+        let from = self.changes.partition_point(|c| side(c) < (edge, right));
+        let count = self.changes[from..].partition_point(|c| side(c) == (edge, right));
+        &self.changes[from..from + count]
+    }
+
+    /// The height of a vertex: the time before which no wavefront edge starts there.
+    #[must_use]
+    pub fn height(&self, vertex: VertexId) -> f64 {
+        self.heights
+            .get(vertex.index())
+            .map_or(0.0, |&height| height)
+    }
+
+    /// Whether a vertex has a height other than zero.
+    pub(crate) const fn has_heights(&self) -> bool {
+        !self.heights.is_empty()
+    }
+
+    /// Whether an end of an edge has a height other than zero.
+    pub(crate) fn has_height(&self, edge: EdgeId) -> bool {
+        let edge = &self.edges[edge.index()];
+        [edge.from, edge.to].iter().any(|&v| self.height(v) > 0.0)
     }
 
     /// Whether there is a polygon in it, so that "interior" means something.

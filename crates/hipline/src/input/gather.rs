@@ -5,7 +5,7 @@
 
 use std::collections::{HashMap, hash_map::Entry};
 
-use super::{Edge, Flaw, Place, Source, builder::Part};
+use super::{Edge, Flaw, Place, Source, builder::Part, change::Changes, height::Heights};
 use crate::topology::VertexId;
 
 /// Everything in one numbering.
@@ -17,6 +17,8 @@ pub(super) struct Gathered {
     pub edges: Vec<Edge>,
     /// What was wrong so far.
     pub flaws: Vec<Flaw>,
+    /// The heights of vertices.
+    pub heights: Heights,
 }
 
 /// More than this and the 32-bit ids of the triangulation's edges would run out.
@@ -26,8 +28,11 @@ const LIMIT: usize = 1 << 28;
 const NONE: u32 = u32::MAX;
 
 /// Flattens the parts.
-pub(super) fn gather(parts: &[Part]) -> Gathered {
-    let mut gathered = Gathered::default();
+pub(super) fn gather(parts: &[Part], changes: &Changes, heights: Heights) -> Gathered {
+    let mut gathered = Gathered {
+        heights,
+        ..Gathered::default()
+    };
     let count = parts.iter().map(size).sum();
     if count > LIMIT {
         gathered.flaws.push(Flaw::TooLarge {
@@ -47,6 +52,7 @@ pub(super) fn gather(parts: &[Part]) -> Gathered {
         ids: Vec::new(),
         drawn: HashMap::new(),
         several_lines: lines > 1,
+        changes,
         gathered,
     };
     for (part, content) in parts.iter().enumerate() {
@@ -96,7 +102,7 @@ pub(super) fn each_point(parts: &[Part], mut visit: impl FnMut(Place, [f64; 2]))
     }
 }
 
-struct Gatherer {
+struct Gatherer<'a> {
     gathered: Gathered,
     distinct: Distinct,
     /// The vertex of each point of the ring, line or graph at hand.
@@ -106,9 +112,10 @@ struct Gatherer {
     drawn: HashMap<[u32; 2], (usize, usize)>,
     /// Whether there are several lines or graphs.
     several_lines: bool,
+    changes: &'a Changes,
 }
 
-impl Gatherer {
+impl Gatherer<'_> {
     fn polygon(&mut self, part: usize, rings: &[Vec<[f64; 2]>], speeds: Option<&[Vec<f64>]>) {
         let lists = speeds.map_or(rings.len(), <[_]>::len);
         if lists != rings.len() {
@@ -256,7 +263,7 @@ impl Gatherer {
     /// edge. (Polygons may not share edges, and no line may go along itself.)
     fn drawn_before(
         &mut self,
-        part: usize,
+        place: Place,
         [from, to]: [u32; 2],
         speeds: [f64; 2],
         on_ring: bool,
@@ -267,7 +274,7 @@ impl Gatherer {
         let number = self.gathered.edges.len();
         let (first, last_part) = match self.drawn.entry([from.min(to), from.max(to)]) {
             Entry::Vacant(entry) => {
-                entry.insert((number, part));
+                entry.insert((number, place.part));
                 return false;
             }
             Entry::Occupied(entry) => entry.into_mut(),
@@ -281,7 +288,12 @@ impl Gatherer {
             } else {
                 [right, left]
             };
-        same_speeds && std::mem::replace(last_part, part) != part
+        let same_changes = self.changes.is_empty()
+            || [false, true].into_iter().all(|right| {
+                let first = self.changes.of(edge.source.place(), right);
+                first == self.changes.of(place, right == same_way)
+            });
+        same_speeds && same_changes && std::mem::replace(last_part, place.part) != place.part
     }
 
     fn flaw(&mut self, flaw: Flaw) {
@@ -306,8 +318,13 @@ impl Gatherer {
     fn point(&mut self, at: Place, point: [f64; 2]) -> u32 {
         if point.iter().all(|x| x.is_finite()) {
             // Adding 0.0 turns -0.0 into 0.0 and changes nothing else.
-            self.distinct
-                .id(&mut self.gathered.vertices, point.map(|x| x + 0.0))
+            let id = self
+                .distinct
+                .id(&mut self.gathered.vertices, point.map(|x| x + 0.0));
+            if let Some(flaw) = self.gathered.heights.found(at, id as usize) {
+                self.flaw(flaw);
+            }
+            id
         } else {
             self.flaw(Flaw::NotFinite { at, point });
             NONE
@@ -333,7 +350,7 @@ impl Gatherer {
     ) {
         for (side, &speed) in speeds.iter().enumerate() {
             let repeated = side == 1 && speeds[0].to_bits() == speeds[1].to_bits();
-            if !(speed.is_finite() && speed > 0.0 || repeated) {
+            if !(speed.is_finite() && speed >= 0.0 || repeated) {
                 self.flaw(Flaw::BadSpeed { edge: place, speed });
             }
         }
@@ -343,11 +360,11 @@ impl Gatherer {
         if from == to {
             let point = self.gathered.vertices[from as usize];
             self.flaw(Flaw::ZeroLengthEdge { edge: place, point });
-        } else if wanted && !self.drawn_before(place.part, [from, to], speeds, on_ring) {
+        } else if wanted && !self.drawn_before(place, [from, to], speeds, on_ring) {
             self.gathered.edges.push(Edge {
                 from: VertexId::new(from as usize),
                 to: VertexId::new(to as usize),
-                speeds,
+                speeds: speeds.map(|speed| speed + 0.0),
                 source: Source {
                     part: place.part as u32,
                     ring: place.ring as u32,
@@ -360,7 +377,7 @@ impl Gatherer {
 }
 
 /// The points of a ring without a last one that repeats the first.
-fn without_closing_point(points: &[[f64; 2]]) -> &[[f64; 2]] {
+pub(super) fn without_closing_point(points: &[[f64; 2]]) -> &[[f64; 2]] {
     match points {
         [first, inner @ .., last] if !inner.is_empty() && equal(*first, *last) => {
             &points[..points.len() - 1]

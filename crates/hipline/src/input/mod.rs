@@ -6,6 +6,7 @@
 //! numbering. Whatever takes a `&Figure` can trust it.
 
 mod builder;
+mod change;
 #[cfg(any(test, debug_assertions))]
 mod check;
 mod collinear;
@@ -14,6 +15,7 @@ mod crossing;
 mod figure;
 mod flaw;
 mod gather;
+mod height;
 mod mesh;
 mod nesting;
 mod order;
@@ -22,6 +24,7 @@ mod range;
 mod triangulate;
 
 pub use builder::FigureBuilder;
+pub use change::{Change, Sides, SpeedChange};
 pub use figure::{Edge, Figure, Source};
 pub use flaw::{Flaw, InvalidFigure, Place};
 pub(crate) use mesh::{Mesh, MeshEdge};

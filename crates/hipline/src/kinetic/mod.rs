@@ -16,6 +16,8 @@
 //! Invariant: between two batches every triangle has positive area, and no wavefront vertex
 //! has an angle of 0 or 180 degrees.
 
+mod change;
+mod eaves;
 mod queue;
 mod resolve;
 mod schedule;
@@ -32,6 +34,7 @@ use crate::{
     skeleton::{Options, Region, Skeleton, Stats, assemble},
     topology::{TraceId, TriangleId},
 };
+use change::Changes;
 use queue::Queue;
 use schedule::Agenda;
 use triangulation::Triangulation;
@@ -51,6 +54,7 @@ struct Kinetic<'a> {
     /// Bounds of `now`.
     bounds: Bounds,
     batch: Batch,
+    changes: Changes,
     stats: Stats,
 }
 
@@ -122,10 +126,20 @@ impl Kinetic<'_> {
     /// Lets the wavefront move until nothing happens any more.
     fn propagate(&mut self) {
         self.start();
-        while let Some(first) = self.queue.peek() {
-            self.begin_batch(first);
-            self.resolve_batch();
+        loop {
+            let first = self.queue.peek();
+            if let Some((moment, bounds)) = self.change_before(first) {
+                self.begin_change(moment, bounds);
+                self.resolve_batch();
+                self.change_speeds();
+            } else if let Some(first) = first {
+                self.begin_batch(first);
+                self.resolve_batch();
+            } else {
+                break;
+            }
             self.remove_straight_vertices();
+            self.open_moved_terminals();
             self.end_batch();
         }
         self.finish();
@@ -150,6 +164,23 @@ impl Kinetic<'_> {
             }
             if let (Moment::Root(_), Moment::Planes(_)) = (self.now, moment) {
                 self.now = moment;
+            }
+            self.take(t);
+        }
+    }
+
+    /// Takes all triangles that collapse at a moment when speeds change from the queue.
+    fn begin_change(&mut self, moment: Moment, bounds: Bounds) {
+        self.batch.number += 1;
+        self.batch.first_node = self.front.vertices + self.front.events.len() as u32;
+        self.now = moment;
+        while let Some(t) = self.queue.peek() {
+            let other = self.queue.bounds(t).expect("the triangle is queued");
+            let order = bounds
+                .compare(other)
+                .unwrap_or_else(|| self.planes.compare(&moment, &self.agenda.moment(t)));
+            if order != Ordering::Equal {
+                break;
             }
             self.take(t);
         }

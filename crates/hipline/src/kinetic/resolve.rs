@@ -18,7 +18,7 @@ use std::cmp::Ordering;
 
 use super::{
     Kinetic,
-    schedule::{collapse_planes, corner, meeting_moment},
+    schedule::{corner, meeting_moment},
     triangulation::{Across, Spokes, Tip, next, prev},
     wavefront::{End, EventNode, Trace, Walk, Wave},
 };
@@ -130,8 +130,7 @@ impl Kinetic<'_> {
         };
         // Between parallel planes, a vertex is not where its planes meet.
         let proper = |tip: &Tip| !self.turn_at(*tip).is_zero();
-        ends.iter().all(proper)
-            && moment == Moment::of_planes(collapse_planes(&self.triangulation, &self.front, wave))
+        ends.iter().all(proper) && moment == Moment::of_planes(self.collapse_planes(wave))
     }
 
     /// How far a corner is ahead of the wavefront edge opposite it, if `due` is now.
@@ -412,6 +411,7 @@ impl Kinetic<'_> {
         let Wave { plane, face } = *self.front.wave(wave);
         let second = self.triangulation.push_wave(t);
         self.front.waves.push(Wave { plane, face });
+        self.register(second);
         let end = self.spawn(wave, at_w.out, node, w);
         let start = self.spawn(at_w.inn, second, node, w);
         self.front.start_moves(w, end);

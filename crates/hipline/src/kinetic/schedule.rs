@@ -8,24 +8,12 @@ use std::{
 
 use super::{
     Kinetic,
-    triangulation::{Across, Triangulation, next, prev},
+    triangulation::{Across, next, prev},
     wavefront::{Trace, Wavefront},
 };
 use crate::predicates::{Bounds, Corner, Moment, PlaneId, Planes};
 use crate::topology::{TriangleId, WaveId};
 use hipline_num::{BallDd, Number, Sign, Wide};
-
-/// The planes whose meeting makes a wavefront edge vanish.
-pub(super) fn collapse_planes(
-    triangulation: &Triangulation,
-    front: &Wavefront,
-    wave: WaveId,
-) -> [PlaneId; 3] {
-    let [start, end] = triangulation.ends(wave);
-    let before = front.wave(front.trace(start).inn).plane;
-    let after = front.wave(front.trace(end).out).plane;
-    [before, front.wave(wave).plane, after]
-}
 
 pub(super) fn corner(front: &Wavefront, tip: super::triangulation::Tip) -> Corner {
     match tip.trace() {
@@ -204,13 +192,14 @@ impl Kinetic<'_> {
         }
         for (k, wave) in waves.into_iter().enumerate() {
             let Some(wave) = wave else { continue };
-            let triple = collapse_planes(&self.triangulation, &self.front, wave);
+            let triple = self.collapse_planes(wave);
             let [start, end] = [triangle.tips[next(k)], triangle.tips[prev(k)]].map(|tip| {
                 self.front
                     .trace(tip.trace().expect("wavefront edges are finite"))
             });
+            let turns = self.turns(triple, [start, end]);
             // The length is -(N + D t) times a number of the sign of both turns' product.
-            if let Some(bounds) = self.planes.meeting_if(triple, start.turn * end.turn) {
+            if let Some(bounds) = self.planes.meeting_if(triple, turns) {
                 best = Some(self.earlier(best, (Moment::of_planes(triple), bounds)));
             }
             if count == 1
@@ -227,6 +216,35 @@ impl Kinetic<'_> {
             }
         }
         best
+    }
+
+    /// The planes whose meeting makes a wavefront edge vanish.
+    pub(super) fn collapse_planes(&self, wave: WaveId) -> [PlaneId; 3] {
+        let [start, end] = self.triangulation.ends(wave).map(|x| self.front.trace(x));
+        let plane = |wave| self.front.wave(wave).plane;
+        let (mut before, mut after) = (plane(start.inn), plane(end.out));
+        // A vertex between walls on one line stands on the first plane of its pair.
+        if !self.changes.closed.is_empty() || !self.planes.phases.eaves().is_empty() {
+            if self.planes.turn(before, plane(wave)).is_zero() {
+                before = start.pair[0];
+            }
+            if self.planes.turn(plane(wave), after).is_zero() {
+                after = end.pair[0];
+            }
+        }
+        [before, plane(wave), after]
+    }
+
+    /// The product of the turns at both ends of a wavefront edge.
+    fn turns(&self, [before, plane, after]: [PlaneId; 3], ends: [&Trace; 2]) -> Sign {
+        let phases = &self.planes.phases;
+        let [start, end] = ends;
+        // Posts stand between walls on one line, so that they turn another way for each of them.
+        if phases.is_post(before) || phases.is_post(after) {
+            self.planes.turn(before, plane) * self.planes.turn(plane, after)
+        } else {
+            start.turn * end.turn
+        }
     }
 
     /// The earlier one of two collapses of a triangle; the first, if they coincide.

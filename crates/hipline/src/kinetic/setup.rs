@@ -7,6 +7,7 @@
 
 use super::{
     Batch, Kinetic,
+    change::Changes,
     queue::Queue,
     schedule::Agenda,
     triangulation::{Across, Spokes, Tip, Triangle, Triangulation, next, prev},
@@ -14,7 +15,7 @@ use super::{
 };
 use crate::{
     input::{Figure, Mesh, MeshEdge},
-    predicates::{Bounds, Direction, Moment, PlaneId, Planes, Terminal},
+    predicates::{Bounds, Moment, PlaneId, Planes, Terminal},
     skeleton::{Region, Stats},
     topology::{TraceId, TriangleId, WaveId},
 };
@@ -78,6 +79,7 @@ impl<'a> Kinetic<'a> {
             now: Moment::Start,
             bounds: Bounds::START,
             batch: Batch::default(),
+            changes: Changes::default(),
             stats: Stats::default(),
         };
         kinetic.triangulate(region);
@@ -200,6 +202,7 @@ impl<'a> Kinetic<'a> {
                 plane: PlaneId(face),
                 face,
             });
+            self.register(wave);
         }
     }
 
@@ -256,23 +259,36 @@ impl<'a> Kinetic<'a> {
             match turn {
                 Sign::Positive => {}
                 Sign::Negative => trace.pair = [j, i],
-                Sign::Zero => self.batch.straight.push(x),
+                Sign::Zero => match self.post_between(inn, out) {
+                    Some(pair) => {
+                        let trace = self.front.trace_mut(x);
+                        trace.pair = pair;
+                        trace.turn = Sign::Negative;
+                    }
+                    None => self.batch.straight.push(x),
+                },
             }
         }
         let tips = self.prepare_terminals();
         self.remove_straight_vertices();
         for (x, terminal) in tips {
-            self.open_terminal(x, terminal);
+            self.open_terminal(x, terminal, self.terminal_plane(terminal));
         }
+        self.open_moved_terminals();
         self.refresh_pairs();
+        self.start_facets(0.0);
+        self.remove_straight_vertices();
         self.batch.dirty.clear();
         self.batch.fresh.clear();
-        let n = self.triangulation.len();
+        self.find_next_change();
+        // Terminals that stand still, and facets over tilted eaves, get a triangle later.
+        let eaves = self.planes.phases.eaves().len();
+        let n = self.triangulation.len() + self.changes.closed.len() + eaves;
         self.queue.reset(n);
         self.agenda = Agenda::new(n);
         self.batch.scheduled = vec![0; n];
         let mut queued: Vec<(TriangleId, Bounds)> = Vec::with_capacity(n);
-        for t in (0..n).map(TriangleId::new) {
+        for t in (0..self.triangulation.len()).map(TriangleId::new) {
             if self.triangulation.is_alive(t)
                 && let Some((moment, bounds)) = self.next_collapse(t)
             {
@@ -290,7 +306,7 @@ impl<'a> Kinetic<'a> {
     }
 
     /// The plane of terminal number `i`.
-    fn terminal_plane(&self, i: usize) -> PlaneId {
+    pub(super) fn terminal_plane(&self, i: usize) -> PlaneId {
         PlaneId(2 * (self.figure.edges().len() + i) as u32)
     }
 
@@ -309,15 +325,20 @@ impl<'a> Kinetic<'a> {
                 .binary_search_by_key(&tip, |terminal| terminal.tip)
                 .expect("both sides of an edge meet at a terminal only");
             // From the edge's side to the terminal's the wavefront turns right.
-            self.front.traces[i].pair = [self.terminal_plane(terminal), plane];
-            list.push((TraceId::new(i), terminal));
+            let cap = self.terminal_plane(terminal);
+            self.front.traces[i].pair = [cap, plane];
+            if self.planes.stands_still(cap) {
+                self.front.traces[i].turn = Sign::Negative;
+                self.changes.closed.push((TraceId::new(i), terminal));
+            } else {
+                list.push((TraceId::new(i), terminal));
+            }
         }
         list
     }
 
     /// Doubles the vertex of a terminal.
-    fn open_terminal(&mut self, x: TraceId, terminal: usize) {
-        let cap_plane = self.terminal_plane(terminal);
+    pub(super) fn open_terminal(&mut self, x: TraceId, terminal: usize, cap_plane: PlaneId) {
         let cap_face = (2 * self.figure.edges().len() + terminal) as u32;
         let trace = *self.front.trace(x);
         let fan: Spokes = self.triangulation.fan(trace.out).collect();
@@ -328,9 +349,12 @@ impl<'a> Kinetic<'a> {
             match far.trace() {
                 Some(far) => {
                     let far = self.front.trace(far);
-                    self.planes.lead(&Moment::Start, far.pair, cap_plane) == Sign::Positive
+                    self.planes.lead(&self.now, far.pair, cap_plane) == Sign::Positive
                 }
-                None => self.is_ahead(terminal, far.direction().expect("a direction")),
+                None => self
+                    .planes
+                    .heads(cap_plane, far.direction().expect("a direction"))
+                    .is_positive(),
             }
         };
         let cut = fan[..fan.len() - 1]
@@ -342,6 +366,10 @@ impl<'a> Kinetic<'a> {
             plane: cap_plane,
             face: cap_face,
         });
+        self.register(cap);
+        if cap_plane != self.terminal_plane(terminal) {
+            self.front.late.insert(cap_face, cap_plane);
+        }
         // `x` becomes the first one, where the wavefront arrives; the second one is new.
         let second = self.front.push_trace(Trace {
             pair: [self.front.wave(trace.out).plane, cap_plane],
@@ -349,11 +377,14 @@ impl<'a> Kinetic<'a> {
             turn: Sign::Negative,
             ..trace
         });
+        let inn = self.front.wave(trace.inn).plane;
         let first = self.front.trace_mut(x);
+        first.pair = [cap_plane, inn];
         first.out = cap;
         first.turn = Sign::Negative;
         first.after_down = Walk::Base(cap_face);
         self.front.after_base[cap_face as usize] = Walk::Up(second);
+        self.batch.fresh.push(second);
         for &(t, corner) in &fan[..=cut] {
             self.triangulation.triangles[t.index()].tips[corner] = second.into();
         }
@@ -370,28 +401,17 @@ impl<'a> Kinetic<'a> {
         self.triangulation.attach(after, prev(other), opened.into());
     }
 
-    /// Whether a direction points ahead of a terminal's wavefront edge.
-    fn is_ahead(&self, terminal: usize, direction: Direction) -> bool {
-        let Terminal { tip, inner, .. } = self.terminals[terminal];
-        let [tip, inner] = [tip, inner].map(|v| self.figure.vertices()[v]);
-        let [dx, dy] = direction.vector();
-        let order = if dx == 0 {
-            tip[1].total_cmp(&inner[1])
-        } else {
-            tip[0].total_cmp(&inner[0])
-        };
-        if dx + dy > 0 {
-            order.is_gt()
-        } else {
-            order.is_lt()
-        }
-    }
-
     /// The planes of vertices beside wavefront edges that were overrun have changed.
     fn refresh_pairs(&mut self) {
-        for trace in &mut self.front.traces {
-            if trace.end == End::Moving {
-                let [i, j] = [trace.inn, trace.out].map(|w| self.front.waves[w.index()].plane);
+        let mut closed: Vec<TraceId> = self.changes.closed.iter().map(|c| c.0).collect();
+        closed.sort_unstable();
+        for (x, trace) in self.front.traces.iter_mut().enumerate() {
+            let planes = [trace.inn, trace.out].map(|w| self.front.waves[w.index()].plane);
+            // The pair of a terminal that stands still is no such one, nor is one with a post.
+            let stands = closed.binary_search(&TraceId::new(x)).is_ok()
+                || self.planes.phases.is_post(trace.pair[0]);
+            if trace.end == End::Moving && !stands {
+                let [i, j] = planes;
                 trace.pair = if trace.turn == Sign::Positive {
                     [i, j]
                 } else {

@@ -201,7 +201,7 @@ impl Kinetic<'_> {
     }
 
     /// A new vertex takes the place of another.
-    fn replace(&mut self, old: TraceId, inn: WaveId, out: WaveId, node: u32) -> TraceId {
+    pub(super) fn replace(&mut self, old: TraceId, inn: WaveId, out: WaveId, node: u32) -> TraceId {
         self.front.trace_mut(old).end = End::At(node);
         let fan: Spokes = self.triangulation.fan(out).collect();
         let new = self.spawn(inn, out, node, old);

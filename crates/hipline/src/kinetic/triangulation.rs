@@ -161,6 +161,12 @@ impl Triangulation {
         self.alive[t.index()] = false;
     }
 
+    /// Whether a wavefront edge is still there.
+    pub(super) fn has(&self, wave: WaveId) -> bool {
+        let t = self.beside[wave.index()];
+        self.is_alive(t) && self.get(t).across.contains(&wave.into())
+    }
+
     /// The triangle on the left of a wavefront edge, and its side there.
     pub(super) fn beside(&self, wave: WaveId) -> (TriangleId, usize) {
         let t = self.beside[wave.index()];

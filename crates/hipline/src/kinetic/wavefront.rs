@@ -9,6 +9,7 @@
 use crate::predicates::PlaneId;
 use crate::topology::{TraceId, WaveId};
 use hipline_num::Sign;
+use std::collections::BTreeMap;
 
 /// A step of a face's boundary.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -75,6 +76,17 @@ pub(crate) struct EventNode {
     pub moment: [PlaneId; 3],
 }
 
+/// How a face of a later phase starts.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct FaceStart {
+    /// The first walk of its boundary.
+    pub walk: Walk,
+    /// Its plane.
+    pub plane: PlaneId,
+    /// The plane of the face before, if it starts at a crease of one height.
+    pub before: Option<PlaneId>,
+}
+
 /// Everything that the propagation leaves behind.
 #[derive(Debug, Default)]
 pub(crate) struct Wavefront {
@@ -90,6 +102,12 @@ pub(crate) struct Wavefront {
     pub after_base: Vec<Walk>,
     /// For each face, the one whose plane it was found to share.
     joint: Vec<u32>,
+    /// The number of faces that start at edges and terminals. The others start at creases.
+    pub bases: u32,
+    /// Where the others start, in order.
+    pub starts: Vec<FaceStart>,
+    /// The planes of faces of terminals that started late.
+    pub late: BTreeMap<u32, PlaneId>,
 }
 
 fn root(parents: &mut [u32], mut i: u32) -> u32 {
@@ -110,6 +128,7 @@ impl Wavefront {
             vertices: vertices as u32,
             after_base: vec![Walk::Open; faces],
             joint: (0..faces as u32).collect(),
+            bases: faces as u32,
             ..Self::default()
         }
     }
@@ -129,6 +148,29 @@ impl Wavefront {
     pub(super) fn push_trace(&mut self, trace: Trace) -> TraceId {
         self.traces.push(trace);
         TraceId::new(self.traces.len() - 1)
+    }
+
+    /// Adds a face that does not start at an edge or terminal.
+    pub(super) fn push_face(&mut self, start: FaceStart) -> u32 {
+        let face = self.after_base.len() as u32;
+        self.starts.push(start);
+        self.after_base.push(Walk::Open);
+        self.joint.push(face);
+        face
+    }
+
+    /// Names the first walk of a face.
+    pub(super) fn start_face_with(&mut self, face: u32, walk: Walk) {
+        self.starts[(face - self.bases) as usize].walk = walk;
+    }
+
+    /// The walk along which a face starts, if it is there.
+    pub(crate) fn first_walk(&self, face: u32) -> Option<Walk> {
+        match face.checked_sub(self.bases) {
+            Some(i) => Some(self.starts[i as usize].walk),
+            None if self.after_base[face as usize] == Walk::Open => None,
+            None => Some(Walk::Base(face)),
+        }
     }
 
     /// Adds an event node.

@@ -11,8 +11,9 @@ use std::collections::BTreeMap;
 use std::rc::Rc;
 
 use super::{
+    eaves::{Tilted, tabled},
     expression::Quadratic,
-    planes::{Line, Planes, Rung, exact_time},
+    planes::{Line, Plane, Planes, Rung, exact_time},
 };
 
 /// A length: an integer, times a root unless the number is 0.
@@ -90,6 +91,11 @@ impl<I: Integer> Rung for Fixed<I> {
         let [a, b, c] = match &planes.lines[line] {
             Line::Small { a, b, c } => [i128::from(*a), i128::from(*b), *c].map(I::from_i128),
             Line::Big(abc) => abc.each_ref().map(I::from_int),
+            Line::Level(c) => {
+                let [zero, one] = [0, 1].map(|i| Self::from_integer(I::from_i128(i)));
+                return [zero.clone(), zero, Self::from_integer(I::from_int(c)), one];
+            }
+            Line::Tilted(_) => unreachable!("tilted planes have no line"),
         };
         let Length { multiple, root } = planes.lengths.of(planes, line);
         let multiple = multiple.and_then(I::from_i128);
@@ -104,6 +110,11 @@ impl<I: Integer> Rung for Fixed<I> {
             Self::from_integer(c),
             length,
         ]
+    }
+    // Its normal has a root in it: products of them have more than four.
+    fn tilted(_: &Planes, _: usize, _: &Tilted) -> Plane<Self> {
+        let unknown = || Self::from_integer(None);
+        tabled(&[unknown(), unknown(), unknown(), unknown()])
     }
     fn integer(value: &IBig, _shift: i32) -> Self {
         Self::from_integer(I::from_int(value))

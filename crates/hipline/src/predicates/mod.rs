@@ -3,18 +3,22 @@
 //! Invariant: what leaves this module is a sign, an order or a correctly rounded number for
 //! output; [`Bounds`] only ever saves asking.
 
+mod eaves;
 mod expression;
 mod fixed;
 mod grid;
 mod heading;
 mod moment;
 mod orientation;
+mod phases;
 mod place;
 mod planes;
 mod root;
 mod rough;
+mod speeds;
 mod terminal;
 
+pub(crate) use eaves::Eave;
 pub(crate) use expression::{Corner, Direction};
 pub(crate) use heading::{Course, Heading};
 pub(crate) use moment::{Area, Bounds, Moment, Part};

@@ -12,7 +12,7 @@ use super::{
         Corner, Direction, Path, Quadratic, area, area_at, curvature, difference, differences,
         lead, meeting, minor,
     },
-    planes::{PlaneId, Planes, Question, Rung},
+    planes::{Plane, PlaneId, Planes, Question, Rung},
     root::{
         AtRoot, at_root, ball_root, dd_root, discriminant, double, exact_root, root_bounds,
         wide_root,
@@ -612,7 +612,46 @@ impl Curve for Heading {
     }
 }
 
+/// A minor of the coefficients of two planes, of two columns of `a b c s`; zero for all
+/// columns if and only if the planes are one.
+struct Minor(PlaneId, PlaneId, [usize; 2]);
+
+impl Curve for Minor {
+    const LINEAR: bool = true;
+    fn coefficients<T: Rung>(&self, planes: &Planes) -> Option<Quadratic<T>> {
+        let [i, j] = [self.0, self.1].map(|id| {
+            let Plane { a, b, c, s } = T::plane(planes, id);
+            [a, b, c, s]
+        });
+        let [p, q] = self.2;
+        let value = i[p].times(&j[q]).minus(&j[p].times(&i[q]));
+        Some([value, T::zero(), T::zero()])
+    }
+}
+
 impl Planes {
+    /// Whether two planes, one of them of a later phase, are the same.
+    pub(super) fn are_one(&self, i: PlaneId, j: PlaneId) -> bool {
+        let vanishes = |columns| self.sign_of(&Minor(i, j, columns)).is_zero();
+        [[0, 1], [0, 2], [1, 2], [0, 3], [1, 3]]
+            .into_iter()
+            .all(vanishes)
+            && self.same_direction(i, j)
+    }
+
+    /// Whether a wavefront edge of length zero, between two others, starts to grow.
+    pub(crate) fn grows(&self, [before, plane, after]: [PlaneId; 3]) -> bool {
+        let turns = [self.turn(before, plane), self.turn(plane, after)];
+        // On one plane with its neighbour, it goes on as one with it.
+        for (turn, other) in turns.into_iter().zip([before, after]) {
+            if turn.is_zero() {
+                return self.same_direction(plane, other)
+                    && self.compare_speeds(plane, other).is_eq();
+            }
+        }
+        self.sign_of(&Closing([before, plane, after])) == -(turns[0] * turns[1])
+    }
+
     /// Whether a wavefront edge moves in a direction (zero: across it).
     pub(crate) fn heads(&self, plane: PlaneId, direction: Direction) -> Sign {
         self.sign_of(&Heading(plane, direction))

@@ -6,7 +6,7 @@
 //! two, `a`, `b`, `c` and `w` are integers; dividing `a`, `b`, `c` by `gcd(a, b)` keeps
 //! them small on grids. The root is the only irrational number in the plane.
 
-use dashu_int::{IBig, ops::Gcd, ops::UnsignedAbs};
+use dashu_int::{IBig, UBig, ops::Gcd, ops::UnsignedAbs};
 use hipline_num::{
     Ball, BallDd, Fixed, Integer, Limbs, Number, Rough, Rungs, Sign, Surd, Wide, f64_to_parts,
     perfect_root,
@@ -14,8 +14,11 @@ use hipline_num::{
 use std::cell::Cell;
 
 use super::grid::{common_unit, gcd, near, near_big, scaled, scaled_small, small_root};
+use super::phases::{self, Phases};
+use super::speeds;
 use super::{
     Terminal,
+    eaves::{Tilted, tabled},
     expression::{Corner, Quadratic, area, meeting},
     fixed::Lengths,
     root::{ball_root, dd_root, wide_root},
@@ -52,8 +55,16 @@ pub(crate) struct Plane<T> {
 /// A line with coprime integer normal.
 #[derive(Debug, Clone)]
 pub(super) enum Line {
-    Small { a: i64, b: i64, c: i128 },
+    Small {
+        a: i64,
+        b: i64,
+        c: i128,
+    },
     Big(Box<[IBig; 3]>),
+    /// No line: the plane of one height, `0 = c + s t`.
+    Level(IBig),
+    /// No line: the plane of a facet over a tilted eave. Its tables hold `[a, b, c, s]`.
+    Tilted(Box<Tilted>),
 }
 
 impl Line {
@@ -61,16 +72,29 @@ impl Line {
         match self {
             Self::Small { a, b, c } => [IBig::from(*a), IBig::from(*b), IBig::from(*c)],
             Self::Big(abc) => (**abc).clone(),
+            Self::Level(c) => [IBig::ZERO, IBig::ZERO, c.clone()],
+            Self::Tilted(_) => unreachable!("tilted planes have no line"),
+        }
+    }
+
+    /// The square of the length of the normal; one for a plane of one height.
+    fn square(&self) -> UBig {
+        match self {
+            Self::Level(_) => UBig::ONE,
+            _ => {
+                let [a, b, _] = self.integers();
+                (&a * &a + &b * &b).unsigned_abs()
+            }
         }
     }
 }
 
 /// The speeds of the planes, as integers over a common power of two.
 #[derive(Debug, Clone)]
-struct Speeds {
-    exact: Vec<IBig>,
+pub(super) struct Speeds {
+    pub(super) exact: Vec<IBig>,
     /// Binary digits dropped in the approximations, lest they overflow.
-    shift: i32,
+    pub(super) shift: i32,
 }
 
 /// The question asked last, and its answer.
@@ -85,9 +109,15 @@ pub(crate) struct Planes {
     grid: bool,
     /// See [`rough::line`].
     pub(super) roughs: Vec<[f64; 4]>,
-    doubles: Vec<[BallDd; 4]>,
+    pub(super) doubles: Vec<[BallDd; 4]>,
     /// `None`: every speed is one.
-    speeds: Option<Speeds>,
+    pub(super) speeds: Option<Speeds>,
+    /// What the planes of later phases are those of.
+    pub phases: Phases,
+    /// The number of the first line of a later phase.
+    pub(super) first_later: usize,
+    /// By how much the planes of later phases are ahead at time zero.
+    pub(super) offsets: Vec<IBig>,
     /// Binary digits of the coordinates dropped in the approximations.
     pub shift: i32,
     /// Coordinates are `integer * 2^unit + origin`.
@@ -126,15 +156,26 @@ pub(crate) trait Rung: Number {
     fn met(planes: &Planes, triple: [PlaneId; 3]) -> (Self, Self) {
         meeting(planes, triple)
     }
+    /// The plane of a facet over a tilted eave, which is line number `line`.
+    fn tilted(planes: &Planes, line: usize, tilted: &Tilted) -> Plane<Self>;
 
     /// One plane.
     #[inline]
     fn plane(planes: &Planes, id: PlaneId) -> Plane<Self> {
-        let [a, b, c, mut s] = Self::line(planes, (id.0 >> 1) as usize);
-        if let Some(speeds) = &planes.speeds {
-            s = s.times(&Self::integer(&speeds.exact[id.0 as usize], speeds.shift));
+        let line = (id.0 >> 1) as usize;
+        if line >= planes.first_later
+            && let Line::Tilted(tilted) = &planes.lines[line]
+        {
+            return Self::tilted(planes, line, tilted);
         }
-        if id.0 & 1 == 0 {
+        let [a, b, c, length] = Self::line(planes, line);
+        let s = match &planes.speeds {
+            Some(speeds) => {
+                length.times(&Self::integer(&speeds.exact[id.0 as usize], speeds.shift))
+            }
+            None => length.clone(),
+        };
+        let mut plane = if id.0 & 1 == 0 {
             Plane { a, b, c, s }
         } else {
             Plane {
@@ -143,7 +184,14 @@ pub(crate) trait Rung: Number {
                 c: c.negated(),
                 s,
             }
+        };
+        if line >= planes.first_later
+            && let Some(offset) = planes.offsets.get(line - planes.first_later)
+        {
+            let ahead = length.times(&Self::integer(offset, planes.shift));
+            plane.c = plane.c.plus(&ahead);
         }
+        plane
     }
 }
 
@@ -151,6 +199,9 @@ impl Rung for Ball {
     #[inline]
     fn line(planes: &Planes, line: usize) -> [Self; 4] {
         planes.doubles[line].each_ref().map(nearest)
+    }
+    fn tilted(planes: &Planes, line: usize, _: &Tilted) -> Plane<Self> {
+        tabled(&planes.doubles[line].each_ref().map(nearest))
     }
     fn time(planes: &Planes, time: f64) -> [Self; 2] {
         [
@@ -195,6 +246,9 @@ impl Rung for BallDd {
     fn line(planes: &Planes, line: usize) -> [Self; 4] {
         planes.doubles[line]
     }
+    fn tilted(planes: &Planes, line: usize, _: &Tilted) -> Plane<Self> {
+        tabled(&planes.doubles[line])
+    }
     fn integer(value: &IBig, shift: i32) -> Self {
         let ball = Self::from_int(value);
         if shift == 0 || *value == IBig::ZERO {
@@ -217,12 +271,15 @@ pub(super) fn exact_time(planes: &Planes, time: f64) -> [IBig; 2] {
 }
 
 impl Rung for Wide {
+    fn tilted(_: &Planes, _: usize, tilted: &Tilted) -> Plane<Self> {
+        tilted.wide(Self::sqrt_of)
+    }
     fn falling_root(g: &Quadratic<Self>) -> Option<Self> {
         wide_root::falling_root(g)
     }
     fn line(planes: &Planes, line: usize) -> [Self; 4] {
         let [a, b, c] = planes.lines[line].integers();
-        let square = (&a * &a + &b * &b).unsigned_abs();
+        let square = planes.lines[line].square();
         [
             Self::from_int(&a),
             Self::from_int(&b),
@@ -240,6 +297,9 @@ impl Rung for Wide {
 }
 
 impl Rung for Surd {
+    fn tilted(_: &Planes, _: usize, tilted: &Tilted) -> Plane<Self> {
+        tilted.wide(Self::sqrt_of)
+    }
     fn time(planes: &Planes, time: f64) -> [Self; 2] {
         exact_time(planes, time).map(Self::from_int)
     }
@@ -248,7 +308,7 @@ impl Rung for Surd {
     }
     fn line(planes: &Planes, line: usize) -> [Self; 4] {
         let [a, b, c] = planes.lines[line].integers();
-        let square = (&a * &a + &b * &b).unsigned_abs();
+        let square = planes.lines[line].square();
         [
             Self::from_int(a),
             Self::from_int(b),
@@ -262,7 +322,7 @@ impl Rung for Surd {
 }
 
 /// The enclosure in f64 of one in double-double.
-fn nearest(value: &BallDd) -> Ball {
+pub(super) fn nearest(value: &BallDd) -> Ball {
     Ball::new(
         value.value(),
         (value.low().abs() + value.error()) * (1.0 + 4.0 * f64::EPSILON),
@@ -280,7 +340,21 @@ impl Planes {
     /// terminals', in order of their vertices.
     pub(crate) fn new(figure: &Figure, terminals: &[Terminal]) -> Self {
         let vertices = figure.vertices();
-        let (unit, bits) = common_unit(vertices.iter().flatten().copied());
+        let lines = figure.edges().len() + terminals.len();
+        let phases = Phases::new(figure, terminals, lines);
+        let (mut unit, mut bits) = common_unit(vertices.iter().flatten().copied());
+        let speed_unit = speeds::unit(figure, terminals, &phases);
+        for (low, high) in [
+            phases::range(phases.later()),
+            phases.height_range(speed_unit.0),
+        ]
+        .into_iter()
+        .flatten()
+        {
+            let high = high.max(unit + bits);
+            unit = unit.min(low);
+            bits = high - unit;
+        }
         // Where zero is among the coordinates, they may be fine around it, and so may the
         // skeleton's; elsewhere what is closest to zero serves.
         let origin = [0, 1].map(|axis| {
@@ -297,12 +371,15 @@ impl Planes {
         });
         let shift = if bits > 53 { bits - 30 } else { 0 };
         let mut planes = Self {
-            lines: Vec::with_capacity(figure.edges().len() + terminals.len()),
+            lines: Vec::with_capacity(lines),
             lengths: Lengths::default(),
             grid: bits <= GRID,
-            roughs: Vec::with_capacity(figure.edges().len() + terminals.len()),
-            doubles: Vec::with_capacity(figure.edges().len() + terminals.len()),
+            roughs: Vec::with_capacity(lines),
+            doubles: Vec::with_capacity(lines),
             speeds: None,
+            phases,
+            first_later: lines,
+            offsets: Vec::new(),
             shift,
             unit,
             origin,
@@ -351,31 +428,8 @@ impl Planes {
                 planes.push_big(&q[0] - &p[0], &q[1] - &p[1], q);
             }
         }
-        planes.set_speeds(figure, terminals);
+        planes.set_speeds(figure, terminals, speed_unit);
         planes
-    }
-
-    fn set_speeds(&mut self, figure: &Figure, terminals: &[Terminal]) {
-        #[expect(clippy::float_cmp, reason = "asks for the number one itself")]
-        let plain = figure.edges().iter().all(|e| e.speeds == [1.0, 1.0]);
-        if plain {
-            return;
-        }
-        let all = || {
-            let edges = figure.edges().iter().flat_map(|e| e.speeds);
-            edges.chain(terminals.iter().flat_map(|t| [t.speed, t.speed]))
-        };
-        let (unit, bits) = common_unit(all());
-        let shift = if bits > 20 || self.shift > 0 {
-            (bits - 10).max(0)
-        } else {
-            0
-        };
-        self.speeds = Some(Speeds {
-            exact: all().map(|w| scaled(w, unit)).collect(),
-            shift,
-        });
-        self.time_unit = self.unit - unit;
     }
 
     fn push_small(&mut self, a: i64, b: i64, point: [i64; 2]) {
@@ -403,7 +457,7 @@ impl Planes {
         self.lines.push(Line::Small { a, b, c });
     }
 
-    fn push_big(&mut self, a: IBig, b: IBig, point: &[IBig; 2]) {
+    pub(super) fn push_big(&mut self, a: IBig, b: IBig, point: &[IBig; 2]) {
         let g = IBig::from((&a).gcd(&b));
         let (a, b) = (a / &g, b / &g);
         let c = &a * &point[0] + &b * &point[1];
@@ -422,17 +476,21 @@ impl Planes {
         self.lines.push(Line::Big(Box::new([a, b, c])));
     }
 
-    fn push_near(&mut self, doubles: [BallDd; 4]) {
+    pub(super) fn push_near(&mut self, doubles: [BallDd; 4]) {
         self.roughs.push(rough::line(&doubles, self.shift == 0));
         self.doubles.push(doubles);
     }
 
-    /// The same plane: the same line, side and speed.
+    /// The same plane.
     pub(crate) fn coplanar(&self, i: PlaneId, j: PlaneId) -> bool {
         if i == j {
             return true;
         }
-        if self.compare_speeds(i, j).is_ne() {
+        let later = |plane: PlaneId| (plane.0 >> 1) as usize >= self.first_later;
+        if later(i) || later(j) {
+            return self.are_one(i, j);
+        }
+        if !self.are_equally_fast(i, j) {
             return false;
         }
         let [a, b, c] = self.lines[(i.0 >> 1) as usize].integers();
@@ -454,14 +512,6 @@ impl Planes {
         let wide = |x: &i64, y: &i64| i128::from(*x) * i128::from(*y);
         let sign = Sign::from(wide(a, q).cmp(&wide(p, b)));
         Some(if (i.0 ^ j.0) & 1 == 0 { sign } else { -sign })
-    }
-
-    /// Which of two planes is the faster one?
-    pub(crate) fn compare_speeds(&self, i: PlaneId, j: PlaneId) -> std::cmp::Ordering {
-        match &self.speeds {
-            None => std::cmp::Ordering::Equal,
-            Some(speeds) => speeds.exact[i.0 as usize].cmp(&speeds.exact[j.0 as usize]),
-        }
     }
 
     /// Binary digits of the speeds dropped in the approximations.

@@ -4,8 +4,9 @@ use dashu_int::IBig;
 use hipline_num::{Ball, BallDd, Rough};
 
 use super::{
+    eaves::{Tilted, tabled},
     expression::{Quadratic, meeting},
-    planes::{PlaneId, Planes, Rung},
+    planes::{Plane, PlaneId, Planes, Rung},
 };
 
 /// `[a, b, c, length of the normal]` of a line, nearly; NaN where a number is too small.
@@ -45,7 +46,15 @@ impl Rung for Rough {
 
     #[inline]
     fn line(planes: &Planes, line: usize) -> [Self; 4] {
+        // What is known of planes of later phases is deeper than the bounds allow for.
+        if line >= planes.first_later {
+            return [Self::unknown(); 4];
+        }
         planes.roughs[line].map(Self::near)
+    }
+
+    fn tilted(_: &Planes, _: usize, _: &Tilted) -> Plane<Self> {
+        tabled(&[Self::unknown(); 4])
     }
 
     fn time(_: &Planes, _: f64) -> [Self; 2] {

@@ -1,6 +1,9 @@
 //! Vertices of degree one, which emit a wavefront edge of their own.
 
-use crate::input::Figure;
+use crate::{
+    input::Figure,
+    topology::{EdgeId, VertexId},
+};
 
 /// A vertex of degree one.
 #[derive(Debug, Clone, Copy)]
@@ -42,6 +45,32 @@ impl Terminal {
             }
         }
         list.sort_unstable_by_key(|terminal| terminal.tip);
+        list
+    }
+
+    /// Its speeds over time, each with the time from which on it holds: always the larger one of
+    /// the two of its edge.
+    pub(super) fn speeds(&self, figure: &Figure) -> Vec<[f64; 2]> {
+        let edge = EdgeId::new(self.edge);
+        let mut now = figure.edges()[self.edge].speeds;
+        let mut changes = [false, true]
+            .map(|right| figure.changes_of(edge, right))
+            .concat();
+        changes.sort_by(|a, b| a.time.total_cmp(&b.time));
+        let height = figure.height(VertexId::new(self.tip));
+        let mut list = vec![[0.0, self.speed]];
+        if height > 0.0 {
+            list = vec![[0.0, 0.0], [height, self.speed]];
+        }
+        for together in changes.chunk_by(|a, b| a.time.to_bits() == b.time.to_bits()) {
+            for change in together {
+                now[usize::from(change.right)] = change.speed;
+            }
+            let speed = now[0].max(now[1]);
+            if speed.to_bits() != list[list.len() - 1][1].to_bits() {
+                list.push([together[0].time, speed]);
+            }
+        }
         list
     }
 }

@@ -72,6 +72,8 @@ pub enum ArcKind {
     Valley,
     /// Between two faces of one plane; perpendicular to their edges.
     Ghost,
+    /// Of one height, where the speed of an edge changes: between two faces of one edge.
+    Crease,
 }
 
 /// An arc: a straight segment between two nodes, with a face on either side.
@@ -99,13 +101,18 @@ pub enum Side {
     End,
 }
 
-/// A face: what the wavefront of one side of an edge, or of a terminal, sweeps.
+/// A face: what the wavefront of one side of an edge, or of a terminal, sweeps on one plane.
+///
+/// Where the speed is zero, the plane stands upright, and so the face has no area in plan.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Face {
     /// The input edge.
     pub edge: EdgeId,
     /// Which side of it.
     pub side: Side,
+    /// How often the speed of the edge has changed when the face starts. Faces of phase 0
+    /// start at the input, others at a crease.
+    pub phase: u32,
     pub(crate) cycles: [u32; 2],
 }
 
@@ -139,7 +146,7 @@ pub struct Skeleton {
 
 impl Skeleton {
     /// A skeleton from its parts, such as a file holds them; the counts of
-    /// [`Skeleton::stats`] are zero. A face is its edge, its side and its boundary cycles,
+    /// [`Skeleton::stats`] are zero. A face is its edge, its side, its phase and its boundary cycles,
     /// the outer one first.
     ///
     /// Only the references are checked; that the parts are the skeleton of anything is
@@ -151,7 +158,7 @@ impl Skeleton {
     pub fn from_parts(
         nodes: Vec<Node>,
         arcs: Vec<Arc>,
-        faces: Vec<(EdgeId, Side, Vec<Vec<NodeId>>)>,
+        faces: Vec<(EdgeId, Side, u32, Vec<Vec<NodeId>>)>,
         input: InputGraph,
         region: Region,
     ) -> Result<Self, String> {
@@ -199,7 +206,7 @@ impl Skeleton {
             stats: Stats::default(),
         };
         let index = |n: usize| u32::try_from(n).map_err(|_| "more than 2^32 corners".to_owned());
-        for (i, (edge, side, boundaries)) in faces.into_iter().enumerate() {
+        for (i, (edge, side, phase, boundaries)) in faces.into_iter().enumerate() {
             if edge.index() >= skeleton.input.edges.len() {
                 return Err(format!(
                     "face {i} starts at {edge:?}, but there is no such edge"
@@ -222,6 +229,7 @@ impl Skeleton {
             skeleton.faces.push(Face {
                 edge,
                 side,
+                phase,
                 cycles: [first, end],
             });
         }
@@ -240,7 +248,7 @@ impl Skeleton {
         &self.arcs
     }
 
-    /// All faces, ordered by edge, then side.
+    /// All faces, ordered by edge, then side, then phase.
     #[must_use]
     pub fn faces(&self) -> &[Face] {
         &self.faces
@@ -265,7 +273,8 @@ impl Skeleton {
     }
 
     /// The nodes around a face, counterclockwise: the outer boundary. It starts with the
-    /// two ends of the input edge (one node for a terminal), the face on their left. An
+    /// two ends of the input edge (one node for a terminal), or of the crease where it starts,
+    /// the face on their left. An
     /// unbounded face has two infinite nodes in a row.
     #[must_use]
     pub fn boundary(&self, face: FaceId) -> &[NodeId] {

@@ -107,7 +107,10 @@ impl Assembly<'_> {
                 .map(|m| m.1)
                 .collect();
             let ghosts: Vec<TraceId> = group.iter().map(|g| g.1).collect();
-            let mut starts: Vec<Walk> = faces.into_iter().map(Walk::Base).collect();
+            let mut starts: Vec<Walk> = faces
+                .into_iter()
+                .filter_map(|face| self.front.first_walk(face))
+                .collect();
             starts.extend(orphans.remove(&group[0].0).unwrap_or_default());
             self.land_group(&starts, ghosts, &mut found);
         }
@@ -132,19 +135,23 @@ impl Assembly<'_> {
             return orphans;
         }
         let mut seen = BTreeSet::new();
-        let bases = (0..self.front.after_base.len() as u32).map(Walk::Base);
+        let bases: Vec<Walk> = (0..self.front.after_base.len() as u32)
+            .filter_map(|face| self.front.first_walk(face))
+            .collect();
         let traces = (0..self.front.traces.len()).map(TraceId::new);
         let walks = traces.flat_map(|x| [Walk::Up(x), Walk::Down(x)]);
-        for first in bases.chain(walks).collect::<Vec<_>>() {
-            let is_open = matches!(first, Walk::Base(face) if self.front.after_base[face as usize] == Walk::Open);
-            if is_open || seen.contains(&first) {
+        let count = bases.len();
+        for (i, first) in bases.into_iter().chain(walks).enumerate() {
+            if seen.contains(&first) {
                 continue;
             }
             let mut walk = first;
             while seen.insert(walk) {
                 walk = self.after(walk);
             }
-            if let Walk::Up(x) | Walk::Down(x) = first {
+            if i >= count
+                && let Walk::Up(x) | Walk::Down(x) = first
+            {
                 let trace = *self.front.trace(x);
                 let wave = if first == Walk::Up(x) {
                     trace.inn
@@ -167,11 +174,6 @@ impl Assembly<'_> {
         let mut done = BTreeSet::new();
         let mut cycles = Vec::new();
         for &first in starts {
-            if let Walk::Base(face) = first
-                && self.front.after_base[face as usize] == Walk::Open
-            {
-                continue;
-            }
             let mut cycle = Vec::new();
             let mut walk = first;
             while done.insert(walk) {

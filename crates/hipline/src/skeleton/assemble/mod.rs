@@ -6,6 +6,7 @@
 //! numbered and their coordinates rounded.
 
 mod ghosts;
+mod names;
 
 use super::{Arc, ArcKind, Face, InputGraph, Node, NodeKind, Region, Side, Skeleton, Stats};
 use crate::{
@@ -15,6 +16,7 @@ use crate::{
     topology::{EdgeId, FaceId, NodeId, TraceId, VertexId},
 };
 use hipline_num::Sign;
+use names::Name;
 
 /// One piece of a trace, between two nodes.
 #[derive(Clone, Copy, Debug)]
@@ -163,6 +165,10 @@ impl Assembly<'_> {
             let first = self.pieces.len() as u32;
             let kind = match trace.end {
                 End::Ghost => ArcKind::Ghost,
+                _ if self.is_crease(&trace) => ArcKind::Crease,
+                _ if trace.turn == Sign::Negative && self.planes.phases.is_post(trace.pair[0]) => {
+                    ArcKind::Ghost
+                }
                 _ if trace.turn == Sign::Negative => ArcKind::Valley,
                 _ => ArcKind::Ridge,
             };
@@ -290,38 +296,11 @@ impl Assembly<'_> {
     /// Reads off the faces, numbers the nodes, rounds the coordinates.
     fn finish(mut self, terminals: &[Terminal], region: Region, stats: Stats) -> Skeleton {
         let edges = self.figure.edges();
-        // Faces by edge, then side: left, right, start, end.
-        let mut order: Vec<(u32, Side, u32)> = Vec::with_capacity(self.front.after_base.len());
-        for face in 0..self.front.after_base.len() as u32 {
-            if self.front.after_base[face as usize] == Walk::Open {
-                continue;
-            }
-            order.push(
-                match terminals.get((face as usize).wrapping_sub(2 * edges.len())) {
-                    Some(terminal) => {
-                        let first = edges[terminal.edge].from.index() == terminal.tip;
-                        (
-                            terminal.edge as u32,
-                            if first { Side::Start } else { Side::End },
-                            face,
-                        )
-                    }
-                    None => (
-                        face / 2,
-                        if face.is_multiple_of(2) {
-                            Side::Left
-                        } else {
-                            Side::Right
-                        },
-                        face,
-                    ),
-                },
-            );
-        }
-        order.sort_unstable();
+        // Faces by edge, then side: left, right, start, end; then phase.
+        let order = self.names(terminals);
         let mut number = vec![NO_FACE; self.front.after_base.len()];
-        for (i, &(_, _, face)) in order.iter().enumerate() {
-            number[face as usize] = i as u32;
+        for (i, name) in order.iter().enumerate() {
+            number[name.face as usize] = i as u32;
         }
         let mut seen = vec![false; self.next.len()];
         let mut faces = Vec::with_capacity(order.len());
@@ -329,10 +308,16 @@ impl Assembly<'_> {
         cycles.push(0_u32);
         let mut corners: Vec<u32> = Vec::with_capacity(3 * self.pieces.len());
         let mut inner = self.inner_cycles(&order, &mut seen);
-        for &(edge, side, face) in &order {
+        for &Name {
+            edge,
+            side,
+            phase,
+            face,
+        } in &order
+        {
             let first = cycles.len() as u32 - 1;
             self.read_cycle(
-                self.base_from + face as usize,
+                self.step(self.start_walk(face)),
                 number[face as usize],
                 &mut corners,
             );
@@ -344,6 +329,7 @@ impl Assembly<'_> {
             faces.push(Face {
                 edge: EdgeId::new(edge as usize),
                 side,
+                phase,
                 cycles: [first, cycles.len() as u32 - 1],
             });
         }
@@ -379,11 +365,11 @@ impl Assembly<'_> {
     /// Boundaries that no base is on, by the face they belong to.
     fn inner_cycles(
         &mut self,
-        order: &[(u32, Side, u32)],
+        order: &[Name],
         seen: &mut [bool],
     ) -> std::collections::BTreeMap<u32, Vec<Step>> {
-        for &(_, _, face) in order {
-            for step in self.around(self.base_from + face as usize) {
+        for name in order {
+            for step in self.around(self.step(self.start_walk(name.face))) {
                 seen[step] = true;
             }
         }
@@ -402,7 +388,7 @@ impl Assembly<'_> {
     }
 
     /// The face that a boundary without a base lies in.
-    fn home(&mut self, orphan: Step, order: &[(u32, Side, u32)]) -> u32 {
+    fn home(&mut self, orphan: Step, order: &[Name]) -> u32 {
         let trace = *self.front.trace(self.pieces[orphan / 2].trace);
         let wave = *self.front.wave(if orphan.is_multiple_of(2) {
             trace.inn
@@ -410,7 +396,7 @@ impl Assembly<'_> {
             trace.out
         });
         let joint = self.front.joint_face(wave.face);
-        let mut members: Vec<u32> = order.iter().map(|&(.., face)| face).collect();
+        let mut members: Vec<u32> = order.iter().map(|name| name.face).collect();
         members.retain(|&face| self.front.joint_face(face) == joint);
         if members.len() == 1 {
             return members[0];
@@ -451,7 +437,7 @@ impl Assembly<'_> {
             }
         };
         let mut below = 0;
-        for step in self.around(self.base_from + face as usize) {
+        for step in self.around(self.step(self.start_walk(face))) {
             let [from, to] = self.ends(step).map(|end| side(end, step).is_gt());
             if from == to {
                 continue;

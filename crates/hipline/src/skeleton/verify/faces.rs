@@ -126,7 +126,7 @@ impl Checker<'_> {
             let expected = match arc.kind {
                 ArcKind::Ridge => Sign::Negative,
                 ArcKind::Valley => Sign::Positive,
-                ArcKind::Ghost => Sign::Zero,
+                ArcKind::Ghost | ArcKind::Crease => Sign::Zero,
             };
             if progress != expected {
                 self.report.add(Violation::WrongProgress {

@@ -2,7 +2,7 @@
 
 use super::{Checker, Violation, dart};
 use crate::{
-    skeleton::{NodeKind, Region, Side},
+    skeleton::{Face, NodeKind, Region, Side},
     topology::{ArcId, EdgeId, FaceId, NodeId, VertexId},
 };
 
@@ -161,13 +161,27 @@ impl Checker<'_> {
             };
             add(left, Side::Left);
             add(right, Side::Right);
-            // Both sides of an edge meet at a terminal, so both are covered or none is.
-            add(left && self.terminal_at(edge.from).is_some(), Side::Start);
-            add(left && self.terminal_at(edge.to).is_some(), Side::End);
+            // Both sides of an edge meet at a terminal, so both are covered or none is. One
+            // that stands still emits a wavefront edge later, or never.
+            let emits = |vertex| {
+                self.terminal_at(vertex)
+                    .is_some_and(|i| !self.planes.stands_still(self.terminal_plane(i)))
+            };
+            add(left && emits(edge.from), Side::Start);
+            add(left && emits(edge.to), Side::End);
         }
         let (mut i, mut j) = (0, 0);
         let faces = &self.skeleton.faces;
         while i < faces.len() || j < expected.len() {
+            // Faces of later phases may be there or not, in several pieces, or none; and a
+            // terminal that stands still emits a wavefront edge if its edge was overrun.
+            if let Some(face) = faces.get(i)
+                && (face.phase > 0 || self.is_still_terminal(face))
+                && self.has_phase(face)
+            {
+                i += 1;
+                continue;
+            }
             let found = faces.get(i).map(|face| (face.edge, face.side));
             let wanted = expected.get(j).copied();
             if found == wanted {
@@ -184,6 +198,32 @@ impl Checker<'_> {
                 i += 1;
             }
         }
+    }
+
+    /// Whether a face is that of a terminal that stands still at first.
+    fn is_still_terminal(&self, face: &Face) -> bool {
+        let edge = &self.figure.edges()[face.edge.index()];
+        let tip = match face.side {
+            Side::Start => edge.from,
+            Side::End => edge.to,
+            Side::Left | Side::Right => return false,
+        };
+        self.terminal_at(tip)
+            .is_some_and(|i| self.planes.stands_still(self.terminal_plane(i)))
+    }
+
+    /// Whether a face of a later phase belongs to a side of an edge in the region whose speed
+    /// changes as often.
+    fn has_phase(&self, face: &Face) -> bool {
+        let edge = &self.figure.edges()[face.edge.index()];
+        let covered = |side: usize| self.incidence.covered[2 * face.edge.index() + side];
+        let is_there = match face.side {
+            Side::Left => covered(0),
+            Side::Right => covered(1),
+            Side::Start => covered(0) && self.terminal_at(edge.from).is_some(),
+            Side::End => covered(0) && self.terminal_at(edge.to).is_some(),
+        };
+        is_there && self.plane(face).is_some()
     }
 
     /// Which arcs are at which nodes, and how many.
@@ -249,8 +289,10 @@ impl Checker<'_> {
             })
             .collect();
         list.sort_unstable();
+        // Where edges stand still, upright faces may lie back to back.
+        let may_repeat = self.planes.has_upright();
         for pair in list.windows(2) {
-            if pair[0].0 == pair[1].0 {
+            if pair[0].0 == pair[1].0 && !may_repeat {
                 let [first, second] = [0, 1].map(|k| ArcId::raw(pair[k].1));
                 self.report.add(Violation::DoubleArc { first, second });
             }
@@ -290,6 +332,9 @@ impl Checker<'_> {
     /// The base edge's dart; terminals have none.
     fn base(&self, face: FaceId) -> Option<u32> {
         let face = self.skeleton.face(face);
+        if face.phase > 0 {
+            return None;
+        }
         let dart = (2 * (self.skeleton.arcs.len() + face.edge.index())) as u32;
         match face.side {
             Side::Left => Some(dart),
@@ -303,6 +348,10 @@ impl Checker<'_> {
         let (Side::Start | Side::End) = self.skeleton.face(face).side else {
             return;
         };
+        let record = self.skeleton.face(face);
+        if record.phase > 0 || self.is_still_terminal(record) {
+            return;
+        }
         let edge = self.skeleton.input.edges[self.skeleton.face(face).edge.index()];
         let tip = edge[usize::from(self.skeleton.face(face).side == Side::End)];
         if self.skeleton.boundary(face)[0].index() != tip.index() {
@@ -342,11 +391,18 @@ impl Checker<'_> {
             }
             let mut ends = [from, to].map(|n| n.index() as u32);
             ends.sort_unstable();
-            let Ok(at) = by_ends.binary_search_by_key(&ends, |entry| entry.0) else {
+            let at = by_ends.partition_point(|entry| entry.0 < ends);
+            let same = by_ends[at..].iter().take_while(|entry| entry.0 == ends);
+            let mut same = same.map(|entry| ArcId::raw(entry.1));
+            let Some(first) = same.clone().next() else {
                 self.report.add(Violation::NoArc { face, from, to });
                 continue;
             };
-            let arc = ArcId::raw(by_ends[at].1);
+            let is_ours = |arc: &ArcId| {
+                let arc = s.arc(*arc);
+                arc.faces[usize::from(arc.nodes[0] != from)] == face
+            };
+            let arc = same.find(is_ours).unwrap_or(first);
             let backward = usize::from(s.arc(arc).nodes[0] != from);
             let dart = 2 * arc.index() + backward;
             *step = dart as u32;

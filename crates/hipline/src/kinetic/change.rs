@@ -1,0 +1,248 @@
+//! Moments at which speeds change.
+//!
+//! First everything that collapses at that moment is resolved, on the planes on which the
+//! wavefront arrived. Then each wavefront edge whose speed changes gives way to one on the
+//! next plane of its course: the place is the same, so nothing of the triangulation
+//! changes, but the vertices at its ends are new, and the old face ends where a new one starts,
+//! at an arc of one height, a crease. Each piece of the wavefront starts a face of its own.
+//!
+//! A terminal whose edge stands still on both sides emits no wavefront edge, which would
+//! have no length; its vertex is opened when the edge starts to move.
+
+use std::{cmp::Ordering, collections::BTreeMap};
+
+use super::{
+    Kinetic,
+    wavefront::{End, FaceStart, Trace, Walk, Wave},
+};
+use crate::{
+    predicates::{Bounds, Moment, PlaneId},
+    topology::{TraceId, TriangleId, WaveId},
+};
+use hipline_num::Sign;
+
+/// What is known about changes to come.
+#[derive(Debug, Default)]
+pub(super) struct Changes {
+    /// How many of the times of changes have passed.
+    passed: usize,
+    /// The moment of the next one.
+    next: Option<(Moment, Bounds)>,
+    /// The wavefront edges on planes that will give way to others.
+    pub(super) waves: BTreeMap<PlaneId, Vec<WaveId>>,
+    /// Terminals that stand still, by their vertices.
+    pub(super) closed: Vec<(TraceId, usize)>,
+}
+
+impl Kinetic<'_> {
+    /// A wavefront edge is there; remembers it if its speed will change.
+    pub(super) fn register(&mut self, wave: WaveId) {
+        let plane = self.front.wave(wave).plane;
+        let phases = &self.planes.phases;
+        if !phases.is_empty() && phases.will_change(plane) {
+            self.changes.waves.entry(plane).or_default().push(wave);
+        }
+    }
+
+    /// Finds the moment of the next change.
+    pub(super) fn find_next_change(&mut self) {
+        let levels = self.planes.phases.levels();
+        self.changes.next = levels.get(self.changes.passed).map(|&(_, level)| {
+            let triple = self
+                .planes
+                .moment_of_level(level)
+                .expect("not all edges and terminals are parallel");
+            let moment = Moment::of_planes(triple);
+            (moment, self.planes.bounds(&moment))
+        });
+    }
+
+    /// The moment of the next change, if no triangle collapses before.
+    pub(super) fn change_before(&self, first: Option<TriangleId>) -> Option<(Moment, Bounds)> {
+        let (moment, bounds) = self.changes.next?;
+        let Some(t) = first else {
+            return Some((moment, bounds));
+        };
+        let collapse = self.queue.bounds(t).expect("the triangle is queued");
+        let order = bounds
+            .compare(collapse)
+            .unwrap_or_else(|| self.planes.compare(&moment, &self.agenda.moment(t)));
+        (order != Ordering::Greater).then_some((moment, bounds))
+    }
+
+    /// Lets the wavefront edges whose speed changes now go on with their new speeds.
+    pub(super) fn change_speeds(&mut self) {
+        let (time, _) = self.planes.phases.levels()[self.changes.passed];
+        self.changes.passed += 1;
+        let changing: Vec<(PlaneId, PlaneId)> = self
+            .changes
+            .waves
+            .keys()
+            .filter_map(|&plane| Some((plane, self.planes.phases.after(plane, time)?)))
+            .collect();
+        let mut old = Vec::new();
+        for (plane, after) in changing {
+            let waves = self.changes.waves.remove(&plane).unwrap_or_default();
+            let here = waves.into_iter().filter(|&w| self.triangulation.has(w));
+            old.extend(here.map(|wave| (wave, after)));
+        }
+        // The vertices at their ends, and the nodes where these are now.
+        let mut nodes = BTreeMap::new();
+        for &(wave, _) in &old {
+            for x in self.triangulation.ends(wave) {
+                if !nodes.contains_key(&x) {
+                    let node = self.node_now(x);
+                    nodes.insert(x, node);
+                }
+            }
+        }
+        let renewed: BTreeMap<WaveId, (WaveId, TraceId)> = old
+            .into_iter()
+            .map(|(wave, plane)| (wave, self.renew(wave, plane, &nodes)))
+            .collect();
+        let mut successor = BTreeMap::new();
+        for (x, node) in nodes {
+            successor.insert(x, self.carry_on(x, node, &renewed));
+        }
+        self.open_terminals(time, &successor);
+        self.start_facets(time);
+        self.find_next_change();
+    }
+
+    /// A wavefront edge gives way to one on another plane. Returns that one, and the crease
+    /// between their faces.
+    fn renew(
+        &mut self,
+        wave: WaveId,
+        plane: PlaneId,
+        nodes: &BTreeMap<TraceId, u32>,
+    ) -> (WaveId, TraceId) {
+        let (t, k) = self.triangulation.beside(wave);
+        let [start, end] = self.triangulation.ends(wave);
+        let new = self.triangulation.push_wave(t);
+        self.triangulation.attach(t, k, new.into());
+        // The old face lies to the left of the way from the end back to the start.
+        let crease = self.front.push_trace(Trace {
+            pair: self.front.trace(end).pair,
+            inn: wave,
+            out: new,
+            born: nodes[&end],
+            end: End::At(nodes[&start]),
+            turn: Sign::Zero,
+            after_up: Walk::Down(start),
+            after_down: Walk::Open,
+        });
+        let face = self.front.push_face(FaceStart {
+            walk: Walk::Down(crease),
+            plane,
+            before: Some(self.front.wave(wave).plane),
+        });
+        self.front.waves.push(Wave { plane, face });
+        self.register(new);
+        (new, crease)
+    }
+
+    /// A vertex at the end of a renewed wavefront edge, or of two, gives way to a new one.
+    fn carry_on(
+        &mut self,
+        x: TraceId,
+        node: u32,
+        renewed: &BTreeMap<WaveId, (WaveId, TraceId)>,
+    ) -> TraceId {
+        let Trace { inn, out, .. } = *self.front.trace(x);
+        let (before, after) = (renewed.get(&inn), renewed.get(&out));
+        let new_inn = before.map_or(inn, |r| r.0);
+        let new_out = after.map_or(out, |r| r.0);
+        let new = self.replace(x, new_inn, new_out, node);
+        match before {
+            Some(&(_, crease)) => {
+                self.front.end_moves(x, crease);
+                self.front.trace_mut(crease).after_down = Walk::Up(new);
+            }
+            None => self.front.end_moves(x, new),
+        }
+        match after {
+            Some(&(_, crease)) => self.front.trace_mut(new).after_down = Walk::Down(crease),
+            None => self.front.start_moves(x, new),
+        }
+        new
+    }
+
+    /// Opens the terminals whose edges start to move.
+    fn open_terminals(&mut self, time: f64, successor: &BTreeMap<TraceId, TraceId>) {
+        for (x, terminal) in std::mem::take(&mut self.changes.closed) {
+            let first = self.terminal_plane(terminal);
+            let starting = self.planes.phases.origin_after(first, time);
+            let is_there = self.front.trace(x).end == End::Moving;
+            let here = successor.get(&x).copied().or(is_there.then_some(x));
+            match (starting, here) {
+                (None, Some(x)) => self.changes.closed.push((x, terminal)),
+                (None, None) => {}
+                (Some(plane), Some(here)) => {
+                    let new = if here == x { self.restart(x) } else { here };
+                    self.open_terminal(new, terminal, plane);
+                }
+                (Some(plane), None) => {
+                    if let Some(here) = self.arrived_at(terminal) {
+                        self.open_terminal(here, terminal, plane);
+                    }
+                }
+            }
+        }
+    }
+
+    /// Opens the terminals whose edges stand still, but were overrun by others: what ends there moves now.
+    pub(super) fn open_moved_terminals(&mut self) {
+        for (x, terminal) in std::mem::take(&mut self.changes.closed) {
+            let cap = self.terminal_plane(terminal);
+            let is_moving = |y: TraceId| self.front.trace(y).end == End::Moving;
+            // Between antiparallel wavefront edges, the new vertex has the planes of the old one.
+            let here = if is_moving(x) {
+                Some(x)
+            } else {
+                let mut fresh = self.batch.fresh.iter().copied();
+                fresh.find(|&y| is_moving(y) && self.front.trace(y).pair[0] == cap)
+            };
+            let Some(here) = here else { continue };
+            let Trace { inn, out, .. } = *self.front.trace(here);
+            let stands = |wave| self.planes.stands_still(self.front.wave(wave).plane);
+            if stands(inn) && stands(out) {
+                self.front.trace_mut(here).turn = Sign::Negative;
+                self.changes.closed.push((here, terminal));
+            } else {
+                self.open_terminal(here, terminal, cap);
+            }
+        }
+    }
+
+    /// A vertex that goes on as a new one, between the same wavefront edges.
+    pub(super) fn restart(&mut self, x: TraceId) -> TraceId {
+        let node = if self.now == Moment::Start {
+            self.front.trace(x).born
+        } else {
+            self.node_now(x)
+        };
+        let Trace { inn, out, .. } = *self.front.trace(x);
+        let new = self.replace(x, inn, out, node);
+        self.front.end_moves(x, new);
+        self.front.start_moves(x, new);
+        new
+    }
+
+    /// The vertex between the facets on both sides of a terminal's edge, if they have come
+    /// up to the terminal just now.
+    fn arrived_at(&self, terminal: usize) -> Option<TraceId> {
+        let edge = self.terminals[terminal].edge as u32;
+        let facet = |side: u32| self.planes.phases.plane(PlaneId(2 * edge + side), 1);
+        let facets = [facet(0)?, facet(1)?];
+        let post = self.terminal_plane(terminal);
+        self.batch.fresh.iter().copied().find(|&x| {
+            let trace = self.front.trace(x);
+            trace.end == End::Moving
+                && [trace.inn, trace.out]
+                    .iter()
+                    .all(|&wave| facets.contains(&self.front.wave(wave).plane))
+                && self.planes.lead(&self.now, trace.pair, post).is_zero()
+        })
+    }
+}
