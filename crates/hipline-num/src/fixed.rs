@@ -34,7 +34,7 @@ struct Radical {
     value: IBig,
     root: BallDd,
     /// The root times 2^(64 [`PLACES`]), rounded down.
-    fine: OnceCell<Option<Limbs>>,
+    fine: OnceCell<Option<Box<Limbs>>>,
 }
 
 /// Digits to the base 2^64 after the point of a finer root.
@@ -70,10 +70,11 @@ impl Radicals {
     fn fine_root(&self, number: u32) -> Option<Limbs> {
         let table = self.0.borrow();
         let radical = &table.values[number as usize - 1];
-        *radical.fine.get_or_init(|| {
+        let fine = radical.fine.get_or_init(|| {
             let square = radical.value.clone().unsigned_abs() << (2 * 64 * PLACES);
-            Limbs::from_int(&IBig::from(square.sqrt()))
-        })
+            Limbs::from_int(&IBig::from(square.sqrt())).map(Box::new)
+        });
+        fine.as_deref().copied()
     }
 
     /// P and E such that the product of roots times 2^(64 [`PLACES`]) is between P and P + E.

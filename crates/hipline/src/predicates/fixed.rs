@@ -7,7 +7,6 @@
 use dashu_int::{IBig, UBig, ops::UnsignedAbs};
 use hipline_num::{Fixed, Integer, Radicals, perfect_root};
 use std::cell::RefCell;
-use std::collections::BTreeMap;
 use std::rc::Rc;
 
 use super::{
@@ -20,7 +19,7 @@ use super::{
 #[derive(Clone, Copy, Debug)]
 struct Length {
     /// `None` if it is too large.
-    multiple: Option<i128>,
+    multiple: Option<i64>,
     root: u32,
 }
 
@@ -31,7 +30,6 @@ pub(super) struct Lengths {
     /// For each line the index of its length in `found`, plus one; 0 as long as it is unknown.
     of_line: RefCell<Vec<u32>>,
     found: RefCell<Vec<Length>>,
-    by_square: RefCell<BTreeMap<UBig, u32>>,
 }
 
 /// Primes whose squares are looked for in radicands. A sum of two coprime squares has no
@@ -63,11 +61,7 @@ impl Lengths {
         if of_line[line] == 0 {
             let [a, b, _] = planes.lines[line].integers();
             let square = (&a * &a + &b * &b).unsigned_abs();
-            of_line[line] = *self
-                .by_square
-                .borrow_mut()
-                .entry(square)
-                .or_insert_with_key(|square| self.find(square));
+            of_line[line] = self.find(&square);
         }
         self.found.borrow()[of_line[line] as usize - 1]
     }
@@ -79,7 +73,7 @@ impl Lengths {
         } else {
             self.radicals.number(rest)
         };
-        let multiple = i128::try_from(&IBig::from(multiple)).ok();
+        let multiple = i64::try_from(&IBig::from(multiple)).ok();
         let mut found = self.found.borrow_mut();
         found.push(Length { multiple, root });
         found.len() as u32
@@ -98,7 +92,7 @@ impl<I: Integer> Rung for Fixed<I> {
             Line::Tilted(_) => unreachable!("tilted planes have no line"),
         };
         let Length { multiple, root } = planes.lengths.of(planes, line);
-        let multiple = multiple.and_then(I::from_i128);
+        let multiple = multiple.and_then(|multiple| I::from_i128(multiple.into()));
         let length = if root == 0 {
             Self::from_integer(multiple)
         } else {
