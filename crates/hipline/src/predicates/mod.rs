@@ -11,6 +11,7 @@ mod orientation;
 mod place;
 mod planes;
 mod root;
+mod station;
 mod terminal;
 
 pub(crate) use expression::{Corner, Direction};
@@ -19,4 +20,5 @@ pub(crate) use moment::{Area, Bounds, Moment, Part};
 pub(crate) use orientation::orientation;
 pub(crate) use place::{Bound, Place, Start};
 pub(crate) use planes::{PlaneId, Planes};
+pub(crate) use station::{Spot, Station, Track, Way, rough_side};
 pub(crate) use terminal::Terminal;
