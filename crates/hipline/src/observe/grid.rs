@@ -114,30 +114,35 @@ impl Grid {
 /// The first of `count` numbers for which something holds that holds for all after it; near to
 /// a guess it takes a constant number of questions.
 fn first(count: usize, guess: usize, holds: impl Fn(usize) -> bool) -> usize {
-    let (mut low, mut high) = (0, count);
+    let guess = guess.min(count);
     let mut step = 1;
-    let mut at = guess.min(count);
-    // Gallop to both sides of the answer: it is in low..=high.
-    if at < count && !holds(at) {
-        low = at + 1;
-        while low < count && {
-            at = (low + step - 1).min(count - 1);
-            !holds(at)
-        } {
-            low = at + 1;
+    // The answer is from `low` to `high`; gallop away from the guess.
+    let (mut low, mut high);
+    if guess < count && !holds(guess) {
+        (low, high) = (guess + 1, count);
+        while low < high {
+            let next = low + step - 1;
+            if next >= high {
+                break;
+            }
+            if holds(next) {
+                high = next;
+                break;
+            }
+            low = next + 1;
             step *= 2;
         }
-        high = if low < count { at } else { count };
     } else {
-        high = at.min(high);
-        while high > 0 && {
-            at = high.saturating_sub(step);
-            holds(at)
-        } {
-            high = at;
+        (low, high) = (0, guess);
+        while low < high {
+            let next = high.saturating_sub(step);
+            if !holds(next) {
+                low = next + 1;
+                break;
+            }
+            high = next;
             step *= 2;
         }
-        low = if high > 0 { at + 1 } else { 0 };
     }
     while low < high {
         let middle = usize::midpoint(low, high);
@@ -265,6 +270,22 @@ impl Index<'_> {
                             *ground = self.ground(&query);
                         }
                     }
+                }
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_first_is_found_from_any_guess() {
+        for count in 0..20 {
+            for answer in 0..=count {
+                for guess in 0..=count + 1 {
+                    assert_eq!(first(count, guess, |i| i >= answer), answer, "{count} {guess}");
                 }
             }
         }

@@ -21,7 +21,7 @@ use super::{
 };
 use crate::{
     predicates::{Spot, Way},
-    skeleton::{ArcKind, NodeKind},
+    skeleton::{Arc, ArcKind, NodeKind},
     topology::{ArcId, EdgeId, FaceId, NodeId, VertexId},
 };
 use hipline_num::Sign;
@@ -45,7 +45,7 @@ pub struct Drop {
     /// The corners of the path from the start down to the end: x, y, and time. Each number is
     /// the nearest f64.
     pub points: Vec<[f64; 3]>,
-    /// The face that it starts in.
+    /// The face that it starts on. Where it starts at a node, one that borders on its way.
     pub face: FaceId,
     /// Where it ends.
     pub ending: Ending,
@@ -99,7 +99,8 @@ impl Index<'_> {
     pub fn path(&self, point: [f64; 2]) -> Result<Drop, NoAnswer> {
         let answer = self.locate(point)?;
         let mut points = vec![[point[0], point[1], answer.time]];
-        let mut stage = Stage::Face(answer.face, point, None);
+        let mut face = answer.face;
+        let mut stage = Stage::Face(face, point, None);
         // Each step goes down, but for the rounding of crossings; so there is a limit.
         let most = 4 * (self.plan.segments.len() + 4);
         let mut ending = None;
@@ -107,7 +108,13 @@ impl Index<'_> {
             let (next, at) = match stage {
                 Stage::Face(face, from, barred) => self.down(face, &Origin::Point(Query::new(from)), barred),
                 Stage::Leaving(face, position) => self.down(face, &Origin::Position(position), None),
-                Stage::Node(node) => (self.at_node(node), None),
+                Stage::Node(node) => {
+                    let (next, on) = self.at_node(node, face);
+                    if points.len() == 1 {
+                        face = on;
+                    }
+                    (next, None)
+                }
             };
             let node = match next {
                 Next::Stage(Stage::Node(node)) => Some(node),
@@ -130,7 +137,7 @@ impl Index<'_> {
         let ending = ending.unwrap_or_else(|| panic!("a drop from {point:?} does not arrive"));
         Ok(Drop {
             points,
-            face: answer.face,
+            face,
             ending,
         })
     }
@@ -197,7 +204,7 @@ impl Index<'_> {
             let upward = self.side_of_face(segment, face).is_positive();
             let [start, end] = if upward { line.ends } else { [line.ends[1], line.ends[0]] };
             let [a, b] = [start, end].map(along);
-            if a.is_gt() || b.is_lt() || (a.is_eq() && b.is_eq()) || !(a.is_lt() || b.is_gt()) {
+            if a.is_gt() || b.is_lt() || a == b {
                 continue;
             }
             let side = from.side(self, segment);
@@ -260,36 +267,47 @@ impl Index<'_> {
         nearest.unwrap_or_else(|| panic!("{face} has no corner"))
     }
 
-    /// The steepest way down from a node.
-    fn at_node(&self, node: NodeId) -> Next {
+    /// The steepest way down from a node, and a face that it is on or borders on: of equally
+    /// steep ones, that of a given face.
+    fn at_node(&self, node: NodeId, own: FaceId) -> (Next, FaceId) {
         let skeleton = self.skeleton();
         if let NodeKind::Input(vertex) = skeleton.node(node).kind {
-            return Next::End(Ending::Vertex(vertex));
+            let at = self.faces_at(node);
+            let on = at.iter().copied().find(|&face| face == own);
+            return (
+                Next::End(Ending::Vertex(vertex)),
+                on.or(at.first().copied()).unwrap_or(own),
+            );
         }
         let definitions = &self.plan.definitions;
-        let mut best: Option<(Way, Stage)> = None;
-        let mut offer = |way: Way, stage: Stage| {
-            let is_better = best.as_ref().is_none_or(|(other, _)| {
-                self.plan.planes().compare_slopes(way, *other) == Ordering::Greater
+        let mut best: Option<(Way, Stage, FaceId)> = None;
+        let mut offer = |way: Way, stage: Stage, on: FaceId| {
+            let is_better = best.as_ref().is_none_or(|&(other, _, before)| {
+                match self.plan.planes().compare_slopes(way, other) {
+                    Ordering::Greater => true,
+                    Ordering::Equal => on == own && before != own,
+                    Ordering::Less => false,
+                }
             });
             if is_better {
-                best = Some((way, stage));
+                best = Some((way, stage, on));
             }
         };
         for face in self.faces_at(node) {
             let position = self.number_of(node);
             if self.leads_down(face, node, position) {
                 let way = Way::Plane(definitions.plane(face));
-                offer(way, Stage::Leaving(face, position));
+                offer(way, Stage::Leaving(face, position), face);
             }
         }
         for arc in self.arcs_down(node) {
-            let lower = skeleton.arc(arc).nodes[0];
-            offer(Way::Along(definitions.pair(arc)), Stage::Node(lower));
+            let Arc { nodes, faces, .. } = *skeleton.arc(arc);
+            let on = if faces.contains(&own) { own } else { faces[0] };
+            offer(Way::Along(definitions.pair(arc)), Stage::Node(nodes[0]), on);
         }
         match best {
-            Some((_, stage)) => Next::Stage(stage),
-            None => Next::End(Ending::Pit(node)),
+            Some((_, stage, on)) => (Next::Stage(stage), on),
+            None => (Next::End(Ending::Pit(node)), own),
         }
     }
 

@@ -8,7 +8,7 @@
 
 use dashu_int::IBig;
 use hipline_num::{
-    BallDd, Number, Sign, Surd, f64_to_parts, round_ball_dd_plus, round_quotient_plus,
+    BallDd, Sign, Surd, f64_to_parts, round_ball_dd_plus, round_quotient_plus,
 };
 use std::cmp::Ordering;
 
