@@ -295,9 +295,12 @@ impl Cutter<'_> {
         let (a, b) = (p.min(q), p.max(q));
         let [from, to] = [a, b].map(|v| self.point(v));
         let [s, t] = self.window.inside(from, to)?;
-        let mut end = |parameter: f64, is_own: bool, own: u32, goes_out: bool| {
-            if is_own {
-                return self.keep(own);
+        let mut end = |parameter: f64, goes_out: bool| {
+            if parameter <= 0.0 {
+                return self.keep(a);
+            }
+            if parameter >= 1.0 {
+                return self.keep(b);
             }
             if let Some(&known) = self.crossings.get(&(a, b, goes_out)) {
                 return known;
@@ -324,8 +327,8 @@ impl Cutter<'_> {
             self.crossings.insert((a, b, goes_out), id);
             id
         };
-        let first = end(s, s <= 0.0, a, false);
-        let last = end(t, t >= 1.0, b, true);
+        let first = end(s, false);
+        let last = end(t, true);
         Some(if p == a { [first, last] } else { [last, first] })
     }
 
