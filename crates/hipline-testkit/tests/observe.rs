@@ -93,7 +93,11 @@ fn depth(rings: &[Vec<[f64; 2]>], p: [f64; 2]) -> f64 {
             let d = [b[0] - a[0], b[1] - a[1]];
             let square = d[0] * d[0] + d[1] * d[1];
             let s = ((p[0] - a[0]) * d[0] + (p[1] - a[1]) * d[1]) / square;
-            let s = if s.is_finite() { s.clamp(0.0, 1.0) } else { 0.0 };
+            let s = if s.is_finite() {
+                s.clamp(0.0, 1.0)
+            } else {
+                0.0
+            };
             let q = [a[0] + s * d[0], a[1] + s * d[1]];
             nearest = nearest.min((p[0] - q[0]).hypot(p[1] - q[1]));
         }
@@ -159,7 +163,12 @@ fn the_surface_is_continuous_and_zero_on_the_graph() {
             assert!((s - here).abs() <= 1e-9 * size, "{s} {here} {}", context());
         }
         for &v in figure.vertices() {
-            assert_eq!(index.locate(v).expect("covered").time, 0.0, "{v:?} {}", context());
+            assert_eq!(
+                index.locate(v).expect("covered").time,
+                0.0,
+                "{v:?} {}",
+                context()
+            );
         }
         for edge in figure.edges() {
             let [p, q] = [edge.from, edge.to].map(|v| figure.vertices()[v.index()]);
@@ -235,7 +244,12 @@ fn cells_get_what_points_get() {
             for (i, cell) in cells.iter().enumerate() {
                 let centre = grid.centre(i % grid.columns(), i / grid.columns());
                 let expected = index.locate(centre);
-                assert_eq!(*cell, expected, "seed {seed} {centre:?}\n{}", case.to_text());
+                assert_eq!(
+                    *cell,
+                    expected,
+                    "seed {seed} {centre:?}\n{}",
+                    case.to_text()
+                );
             }
         }
     }
@@ -258,14 +272,27 @@ fn terrains_fill_their_windows_without_cracks() {
                 Err(error) => panic!("{error} {}", context()),
             };
             let area = window.area();
-            assert!((terrain.area() - area).abs() <= 1e-9 * area, "{} of {area}: {}", terrain.area(), context());
+            assert!(
+                (terrain.area() - area).abs() <= 1e-9 * area,
+                "{} of {area}: {}",
+                terrain.area(),
+                context()
+            );
             let catchments = terrain.catchments(FaceId::index);
             let sum: f64 = catchments.iter().map(|c| c.area).sum();
-            assert!((sum - area).abs() <= 1e-9 * area, "{sum} of {area}: {}", context());
+            assert!(
+                (sum - area).abs() <= 1e-9 * area,
+                "{sum} of {area}: {}",
+                context()
+            );
             for catchment in &catchments {
                 let rings = catchment.polygons.iter().flatten();
                 let outlined: f64 = rings.map(|ring| signed_area(ring)).sum();
-                assert!((outlined - catchment.area).abs() <= 1e-9 * area, "{catchment:?}: {}", context());
+                assert!(
+                    (outlined - catchment.area).abs() <= 1e-9 * area,
+                    "{catchment:?}: {}",
+                    context()
+                );
             }
             cracks(&terrain, &context);
             heights(&terrain, &Index::new(&skeleton, &figure), &context);
@@ -290,7 +317,11 @@ fn cracks(terrain: &Terrain, context: &dyn Fn() -> String) {
     for triangle in terrain.triangles() {
         let [a, b, c] = triangle.corners;
         for edge in [[a, b], [b, c], [c, a]] {
-            assert!(edges.insert(edge, ()).is_none(), "{edge:?} twice: {}", context());
+            assert!(
+                edges.insert(edge, ()).is_none(),
+                "{edge:?} twice: {}",
+                context()
+            );
         }
     }
     let (min, max) = (terrain.window().min(), terrain.window().max());
@@ -310,7 +341,11 @@ fn heights(terrain: &Terrain, index: &Index, context: &dyn Fn() -> String) {
     for &[x, y, time] in terrain.vertices() {
         let exact = index.locate([x, y]).expect("covered").time;
         let size = 1.0 + exact + x.abs() + y.abs();
-        assert!((time - exact).abs() <= 1e-9 * size, "{time} {exact} at {x} {y}: {}", context());
+        assert!(
+            (time - exact).abs() <= 1e-9 * size,
+            "{time} {exact} at {x} {y}: {}",
+            context()
+        );
     }
 }
 
@@ -325,7 +360,11 @@ fn contours_are_as_high_as_they_say() {
             lines += 1;
             for &p in &line.points {
                 let time = index.locate(p).expect("covered").time;
-                assert!((time - line.time).abs() < 1e-9, "{time} at {p:?}, seed {seed}\n{}", case.to_text());
+                assert!(
+                    (time - line.time).abs() < 1e-9,
+                    "{time} at {p:?}, seed {seed}\n{}",
+                    case.to_text()
+                );
                 let (min, max) = (window.min(), window.max());
                 let is_near = (0..2).all(|k| min[k] - 1e-9 <= p[k] && p[k] <= max[k] + 1e-9);
                 assert!(is_near, "{p:?} beside the window");
@@ -342,19 +381,41 @@ fn errors_name_what_is_wrong() {
     let inside = figure.skeleton(Options::default());
     let index = Index::new(&inside, &figure);
     assert_eq!(index.locate([9.0, 1.0]), Err(NoAnswer::Outside(9.0, 1.0)));
-    assert!(matches!(index.locate([f64::NAN, 1.0]), Err(NoAnswer::NotFinite(..))));
+    assert!(matches!(
+        index.locate([f64::NAN, 1.0]),
+        Err(NoAnswer::NotFinite(..))
+    ));
     // The boundary belongs to the inside.
-    for p in [[0.0, 0.0], [8.0, 0.0], [8.0, 4.0], [0.0, 4.0], [8.0, 1.0], [3.0, 4.0]] {
+    for p in [
+        [0.0, 0.0],
+        [8.0, 0.0],
+        [8.0, 4.0],
+        [0.0, 4.0],
+        [8.0, 1.0],
+        [3.0, 4.0],
+    ] {
         assert_eq!(index.locate(p).map(|a| a.time), Ok(0.0), "{p:?}");
     }
     let both = figure.skeleton(Options::default().region(Region::Both));
     let index = Index::new(&both, &figure);
-    assert!(matches!(index.locate([1e300, 1.0]), Err(NoAnswer::TooFar(..))));
+    assert!(matches!(
+        index.locate([1e300, 1.0]),
+        Err(NoAnswer::TooFar(..))
+    ));
     assert_eq!(index.locate([-1e40, 1.0]).map(|a| a.time), Ok(1e40));
     let beside = Window::new([20.0, 0.0], [30.0, 5.0]).expect("a window");
-    assert!(matches!(Terrain::new(&both, &figure, beside), Err(InvalidWindow::MissesData(..))));
-    assert!(matches!(Window::new([1.0, 0.0], [0.0, 1.0]), Err(InvalidWindow::Empty(..))));
-    assert!(matches!(Window::new([f64::NAN, 0.0], [0.0, 1.0]), Err(InvalidWindow::NotFinite(..))));
+    assert!(matches!(
+        Terrain::new(&both, &figure, beside),
+        Err(InvalidWindow::MissesData(..))
+    ));
+    assert!(matches!(
+        Window::new([1.0, 0.0], [0.0, 1.0]),
+        Err(InvalidWindow::Empty(..))
+    ));
+    assert!(matches!(
+        Window::new([f64::NAN, 0.0], [0.0, 1.0]),
+        Err(InvalidWindow::NotFinite(..))
+    ));
     let tiny = Window::new([1e9, 1e9], [1e9 + 1e-3, 1e9 + 1e-3]).expect("a window");
     assert!(Grid::new(tiny, 1e-9).is_err(), "centres that are one f64");
     assert!(Grid::new(beside, 1e-6).is_err(), "too many cells");

@@ -68,10 +68,7 @@ fn dependencies_point_one_way() {
         &["kinetic", "skeleton", "offset::", "roof::"],
     );
     absent("hipline/src/kinetic", &["offset::", "roof::", "observe::"]);
-    absent(
-        "hipline/src/skeleton",
-        &["offset::", "roof::", "observe::"],
-    );
+    absent("hipline/src/skeleton", &["offset::", "roof::", "observe::"]);
     absent("hipline/src/offset", &["kinetic::", "roof::", "observe::"]);
     absent("hipline/src/observe", &["kinetic::"]);
     absent(

@@ -91,15 +91,14 @@ fn table(
     Ok(())
 }
 
-fn json(
-    w: &mut dyn Write,
-    rows: &[Row],
-    features: &[usize],
-    args: &QueryArgs,
-) -> io::Result<()> {
+fn json(w: &mut dyn Write, rows: &[Row], features: &[usize], args: &QueryArgs) -> io::Result<()> {
     w.write_all(b"[")?;
     for (i, ([x, y], answer)) in rows.iter().enumerate() {
-        write!(w, "{}{{\"x\":{x},\"y\":{y},", if i == 0 { "\n" } else { ",\n" })?;
+        write!(
+            w,
+            "{}{{\"x\":{x},\"y\":{y},",
+            if i == 0 { "\n" } else { ",\n" }
+        )?;
         match answer {
             Ok(a) => write!(
                 w,

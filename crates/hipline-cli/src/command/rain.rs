@@ -70,7 +70,10 @@ impl Names {
                     ]);
                     labels
                 };
-                (faces().map(FaceId::index).collect(), faces().map(label).collect())
+                (
+                    faces().map(FaceId::index).collect(),
+                    faces().map(label).collect(),
+                )
             }
             Drained::Feature => (
                 faces()
@@ -106,7 +109,15 @@ impl Names {
     /// The names of a table's columns.
     const fn columns(&self) -> &'static [&'static str] {
         match self.of {
-            Drained::Edge => &["feature", "id", "part", "ring", "source_edge", "side", "face"],
+            Drained::Edge => &[
+                "feature",
+                "id",
+                "part",
+                "ring",
+                "source_edge",
+                "side",
+                "face",
+            ],
             Drained::Feature => &["feature", "id"],
             Drained::System => &["system"],
         }
@@ -128,8 +139,7 @@ impl Names {
 }
 
 fn terrain(scene: &Scene, window: Window) -> Result<Terrain, Failure> {
-    Terrain::new(scene.skeleton(), &scene.figure, window)
-        .map_err(|e| Failure::Input(e.to_string()))
+    Terrain::new(scene.skeleton(), &scene.figure, window).map_err(|e| Failure::Input(e.to_string()))
 }
 
 fn catchments(
@@ -151,9 +161,8 @@ fn catchments(
     };
     for target in targets {
         match target.format {
-            Geojson => target.write(|w| {
-                catchments_geojson(w, found.iter().map(|c| (c, names.json(c.key))))
-            })?,
+            Geojson => target
+                .write(|w| catchments_geojson(w, found.iter().map(|c| (c, names.json(c.key)))))?,
             Svg => target.write(|w| relief.svg(w))?,
             Png => target.write(|w| relief.png(w, args.size.size).map_err(picture_error))?,
             Tsv => target.write(|w| table(w, &found, &names, '\t'))?,
@@ -175,7 +184,11 @@ fn table(
     writeln!(w, "area{separator}cut")?;
     for catchment in catchments {
         for column in names.columns() {
-            write!(w, "{}{separator}", names.cell(catchment.key, column, separator))?;
+            write!(
+                w,
+                "{}{separator}",
+                names.cell(catchment.key, column, separator)
+            )?;
         }
         writeln!(w, "{}{separator}{}", catchment.area, catchment.is_cut)?;
     }
@@ -218,7 +231,11 @@ fn drops(
         contours: &[],
         drops: &drops,
     });
-    let named = || drops.iter().map(|drop| (drop, ending(scene, &features, drop)));
+    let named = || {
+        drops
+            .iter()
+            .map(|drop| (drop, ending(scene, &features, drop)))
+    };
     for target in targets {
         match (target.format, &relief) {
             (Svg, Some(relief)) => target.write(|w| relief.svg(w))?,
@@ -243,7 +260,11 @@ fn ending(scene: &Scene, features: &[usize], drop: &Drop) -> String {
             let edges = scene.figure.edges();
             let is_at = |e: &hipline::input::Edge| [e.from, e.to].contains(&v);
             let first = edges.iter().position(is_at).map_or(own, EdgeId::new);
-            if is_at(&edges[own.index()]) { own } else { first }
+            if is_at(&edges[own.index()]) {
+                own
+            } else {
+                first
+            }
         }
         _ => scene.edge(drop.face),
     };
@@ -277,7 +298,11 @@ fn path_table(
     for (i, drop) in drops.iter().enumerate() {
         let edge = scene.edge(drop.face).index();
         for [x, y, time] in &drop.points {
-            writeln!(w, "{i}{s}{x}{s}{y}{s}{}{s}{edge}", args.surface.height(*time))?;
+            writeln!(
+                w,
+                "{i}{s}{x}{s}{y}{s}{}{s}{edge}",
+                args.surface.height(*time)
+            )?;
         }
     }
     Ok(())

@@ -65,9 +65,11 @@ impl Scene {
             Some(Corners([x0, y0, x1, y1])) => {
                 Window::new([x0, y0], [x1, y1]).map_err(|e| Failure::Input(e.to_string()))
             }
-            None => Window::around(self.figure.vertices().iter().copied(), MARGIN).ok_or_else(|| {
-                Failure::Input("the input is too large for a window around it".to_owned())
-            }),
+            None => {
+                Window::around(self.figure.vertices().iter().copied(), MARGIN).ok_or_else(|| {
+                    Failure::Input("the input is too large for a window around it".to_owned())
+                })
+            }
         }
     }
 

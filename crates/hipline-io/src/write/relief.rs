@@ -116,7 +116,10 @@ impl Relief<'_> {
              width=\"{width}\" height=\"{height}\" stroke-linecap=\"round\" stroke-linejoin=\"round\">"
         )?;
         let ground = palette::hex(NOTHING);
-        writeln!(w, "<rect width=\"100%\" height=\"100%\" fill=\"{ground}\"/>")?;
+        writeln!(
+            w,
+            "<rect width=\"100%\" height=\"100%\" fill=\"{ground}\"/>"
+        )?;
         writeln!(w, "<g id=\"faces\" stroke-width=\"0.4\">")?;
         let middle = self.middles();
         for catchment in self.terrain.catchments(FaceId::index) {
@@ -238,7 +241,10 @@ mod pixels {
             for (k, (lines, (colour, breadth))) in self.lines().iter().zip(layers).enumerate() {
                 let depth = k as f64 + 1.0;
                 for (points, close) in lines {
-                    let ends = points.iter().skip(1).chain(points.first().filter(|_| *close));
+                    let ends = points
+                        .iter()
+                        .skip(1)
+                        .chain(points.first().filter(|_| *close));
                     for (p, q) in points.iter().zip(ends) {
                         picture.line(at(*p, depth), at(*q, depth), pen * breadth, 0.0, colour);
                     }

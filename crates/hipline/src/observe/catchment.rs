@@ -4,10 +4,7 @@
 //! with weights it may cross into another face on its way), so the face is the catchment of
 //! that side of the edge, and a river system has those of all its edges.
 
-use super::{
-    Terrain, Window,
-    terrain::Sum,
-};
+use super::{Terrain, Window, terrain::Sum};
 use crate::{input::Figure, topology::FaceId};
 use std::collections::BTreeMap;
 
@@ -102,12 +99,18 @@ impl Terrain {
             *is_cut |= self.is_cut(&ring);
             parts.entry(part).or_default().push(ring);
         }
-        let catchment = |(key, (area, is_cut, parts)): (usize, (Sum, bool, BTreeMap<usize, Vec<Vec<u32>>>))| Catchment {
-            key,
-            area: area.total(),
-            is_cut,
-            polygons: parts.into_values().map(|rings| self.polygon(rings)).collect(),
-        };
+        let catchment =
+            |(key, (area, is_cut, parts)): (usize, (Sum, bool, BTreeMap<usize, Vec<Vec<u32>>>))| {
+                Catchment {
+                    key,
+                    area: area.total(),
+                    is_cut,
+                    polygons: parts
+                        .into_values()
+                        .map(|rings| self.polygon(rings))
+                        .collect(),
+                }
+            };
         found.into_iter().map(catchment).collect()
     }
 
@@ -127,7 +130,9 @@ impl Terrain {
         (0..points.len()).any(|i| {
             let (p, q) = (points[i], points[(i + 1) % points.len()]);
             let is_at = |axis: usize, limit: [f64; 2]| {
-                [p, q].iter().all(|x| x[axis].total_cmp(&limit[axis]).is_eq())
+                [p, q]
+                    .iter()
+                    .all(|x| x[axis].total_cmp(&limit[axis]).is_eq())
             };
             limits.iter().any(|&l| is_at(0, l) || is_at(1, l))
         })

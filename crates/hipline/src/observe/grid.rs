@@ -215,7 +215,11 @@ impl Index<'_> {
     /// The first column of a row whose centre is not to the left of a segment.
     fn crossing(&self, grid: &Grid, segment: &Segment, row: usize, rises: bool) -> usize {
         let y = grid.centre(0, row)[1];
-        let left = if rises { Sign::Positive } else { Sign::Negative };
+        let left = if rises {
+            Sign::Positive
+        } else {
+            Sign::Negative
+        };
         let is_right = |column: usize| {
             let query = Query::new(grid.centre(column, row));
             self.plan.side(segment, &query) != left
@@ -285,7 +289,11 @@ mod tests {
         for count in 0..20 {
             for answer in 0..=count {
                 for guess in 0..=count + 1 {
-                    assert_eq!(first(count, guess, |i| i >= answer), answer, "{count} {guess}");
+                    assert_eq!(
+                        first(count, guess, |i| i >= answer),
+                        answer,
+                        "{count} {guess}"
+                    );
                 }
             }
         }

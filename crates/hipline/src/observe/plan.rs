@@ -192,7 +192,9 @@ impl<'a> Plan<'a> {
     /// By x, then y. Rounding is monotone, so where rounded numbers differ they tell.
     fn compare(&self, p: &Position, q: &Position) -> Ordering {
         match p.point[0].total_cmp(&q.point[0]) {
-            Ordering::Equal if matches!([&p.place, &q.place], [Place::Vertex(_), Place::Vertex(_)]) => {
+            Ordering::Equal
+                if matches!([&p.place, &q.place], [Place::Vertex(_), Place::Vertex(_)]) =>
+            {
                 (p.point[1] + 0.0).total_cmp(&(q.point[1] + 0.0))
             }
             Ordering::Equal => self.planes().compare_points(&p.place, &q.place),
@@ -201,15 +203,36 @@ impl<'a> Plan<'a> {
     }
 
     /// Adds a segment, walking from one node to another with the given grounds.
-    fn add(&mut self, ends: [u32; 2], border: Border, [left, right]: [Ground; 2], track: Track, flipped: bool) {
+    fn add(
+        &mut self,
+        ends: [u32; 2],
+        border: Border,
+        [left, right]: [Ground; 2],
+        track: Track,
+        flipped: bool,
+    ) {
         let [a, b] = ends;
         if a == b {
             return;
         }
         self.segments.push(if a < b {
-            Segment { ends, border, above: left, below: right, track, flipped }
+            Segment {
+                ends,
+                border,
+                above: left,
+                below: right,
+                track,
+                flipped,
+            }
         } else {
-            Segment { ends: [b, a], border, above: right, below: left, track, flipped: !flipped }
+            Segment {
+                ends: [b, a],
+                border,
+                above: right,
+                below: left,
+                track,
+                flipped: !flipped,
+            }
         });
     }
 
@@ -260,7 +283,8 @@ impl<'a> Plan<'a> {
             } else {
                 let left = match self.planes().turn(f, g) {
                     Sign::Zero => {
-                        let [p, q] = [from, to].map(|k| Spot::Place(&self.positions[k as usize].place));
+                        let [p, q] =
+                            [from, to].map(|k| Spot::Place(&self.positions[k as usize].place));
                         let forward = Sign::from(self.planes().compare_spots_along(q, p, f));
                         forward * self.planes().falling_behind(f, g)
                     }

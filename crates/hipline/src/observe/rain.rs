@@ -106,8 +106,12 @@ impl Index<'_> {
         let mut ending = None;
         for _ in 0..most {
             let (next, at) = match stage {
-                Stage::Face(face, from, barred) => self.down(face, &Origin::Point(Query::new(from)), barred),
-                Stage::Leaving(face, position) => self.down(face, &Origin::Position(position), None),
+                Stage::Face(face, from, barred) => {
+                    self.down(face, &Origin::Point(Query::new(from)), barred)
+                }
+                Stage::Leaving(face, position) => {
+                    self.down(face, &Origin::Position(position), None)
+                }
                 Stage::Node(node) => {
                     let (next, on) = self.at_node(node, face);
                     if points.len() == 1 {
@@ -187,11 +191,18 @@ impl Index<'_> {
 
     /// The segment below a point of a face, straight down: through its inside, or through the node
     /// that comes second.
-    fn exit(&self, face: FaceId, from: &Origin, barred: Option<u32>) -> Option<(u32, Option<NodeId>)> {
+    fn exit(
+        &self,
+        face: FaceId,
+        from: &Origin,
+        barred: Option<u32>,
+    ) -> Option<(u32, Option<NodeId>)> {
         let plane = self.plan.definitions.plane(face);
         let spot = from.spot(self);
         let along = |position: u32| {
-            self.plan.planes().compare_spots_along(self.spot(position), spot, plane)
+            self.plan
+                .planes()
+                .compare_spots_along(self.spot(position), spot, plane)
         };
         let mut best: Option<(u32, Option<u32>)> = None;
         for &segment in self.around(face) {
@@ -202,7 +213,11 @@ impl Index<'_> {
             // The face is above the segment in the sense of its edge if the segment goes forward
             // with the face on its left.
             let upward = self.side_of_face(segment, face).is_positive();
-            let [start, end] = if upward { line.ends } else { [line.ends[1], line.ends[0]] };
+            let [start, end] = if upward {
+                line.ends
+            } else {
+                [line.ends[1], line.ends[0]]
+            };
             let [a, b] = [start, end].map(along);
             if a.is_gt() || b.is_lt() || a == b {
                 continue;
@@ -231,12 +246,10 @@ impl Index<'_> {
         let plane = self.plan.definitions.plane(face);
         let line = |s: u32| &self.plan.segments[s as usize];
         let inside = |position: u32, s: u32| {
-            let [a, b] = line(s)
-                .ends
-                .map(|end| {
-                    let (p, q) = (self.spot(position), self.spot(end));
-                    self.plan.planes().compare_spots_along(p, q, plane)
-                });
+            let [a, b] = line(s).ends.map(|end| {
+                let (p, q) = (self.spot(position), self.spot(end));
+                self.plan.planes().compare_spots_along(p, q, plane)
+            });
             a != b || a.is_eq()
         };
         for end in line(segment).ends {
@@ -260,7 +273,8 @@ impl Index<'_> {
             let node = self.skeleton().node(n);
             super::terrain::distance([x, y], [node.x, node.y])
         };
-        let cycles = std::iter::once(self.skeleton().boundary(face)).chain(self.skeleton().holes(face));
+        let cycles =
+            std::iter::once(self.skeleton().boundary(face)).chain(self.skeleton().holes(face));
         let corners = cycles.flatten().copied();
         let finite = corners.filter(|&n| self.skeleton().node(n).time.is_finite());
         let nearest = finite.min_by(|a, b| distance(a).total_cmp(&distance(b)));

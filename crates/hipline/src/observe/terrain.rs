@@ -243,9 +243,8 @@ impl Cutter<'_> {
         let corners = [a, b, c];
         let points = corners.map(|v| self.point(v));
         let (min, max) = (self.window.min(), self.window.max());
-        let is_beside = (0..2).any(|i| {
-            points.iter().all(|p| p[i] < min[i]) || points.iter().all(|p| p[i] > max[i])
-        });
+        let is_beside = (0..2)
+            .any(|i| points.iter().all(|p| p[i] < min[i]) || points.iter().all(|p| p[i] > max[i]));
         if is_beside {
             return;
         }
@@ -278,15 +277,13 @@ impl Cutter<'_> {
         while ring.len() > 1 && ring.first() == ring.last() {
             ring.pop();
         }
+        // Some may have no area, where a face has corners on one line; without them there would be
+        // cracks.
         for k in 2..ring.len() {
-            let triangle = Triangle {
+            self.terrain.triangles.push(Triangle {
                 corners: [ring[0], ring[k - 1], ring[k]],
                 face: id,
-            };
-            // Corners on one side of the window have no area between them.
-            if self.terrain.plan_area(&triangle) > 0.0 {
-                self.terrain.triangles.push(triangle);
-            }
+            });
         }
     }
 
@@ -388,9 +385,7 @@ impl Cutter<'_> {
         }
         let [x, y] = self.window.corners()[corner];
         let [p, q, r] = triangle.map(|v| self.mesh.vertices[v as usize]);
-        let cross = |a: [f64; 3], b: [f64; 3]| {
-            (a[0] - x) * (b[1] - y) - (b[0] - x) * (a[1] - y)
-        };
+        let cross = |a: [f64; 3], b: [f64; 3]| (a[0] - x) * (b[1] - y) - (b[0] - x) * (a[1] - y);
         let [u, v, w] = [cross(q, r), cross(r, p), cross(p, q)];
         let time = (u * p[2] + v * q[2] + w * r[2]) / (u + v + w);
         let id = self.create([x, y, time]);

@@ -30,9 +30,15 @@ pub(super) struct Trapezoid {
 #[derive(Debug, Clone, Copy)]
 enum Step {
     /// Is the point before a position?
-    Position { position: u32, next: [u32; 2] },
+    Position {
+        position: u32,
+        next: [u32; 2],
+    },
     /// Is the point above a segment?
-    Segment { segment: u32, next: [u32; 2] },
+    Segment {
+        segment: u32,
+        next: [u32; 2],
+    },
     Trapezoid(u32),
 }
 
@@ -187,16 +193,12 @@ impl Trapezoids {
     fn insert(&mut self, plan: &Plan, segment: u32) {
         let path = self.path(plan, segment);
         let [from, to] = plan.segments[segment as usize].ends;
-        let old: Vec<Trapezoid> = path
-            .iter()
-            .map(|&(at, _)| self.list[at as usize])
-            .collect();
+        let old: Vec<Trapezoid> = path.iter().map(|&(at, _)| self.list[at as usize]).collect();
         let (first, last) = (old[0], old[old.len() - 1]);
         // What is left of the first and of the last one.
-        let start = (first.ends[LEFT] != from)
-            .then(|| self.create(first.sides, [first.ends[LEFT], from]));
-        let end =
-            (last.ends[RIGHT] != to).then(|| self.create(last.sides, [to, last.ends[RIGHT]]));
+        let start =
+            (first.ends[LEFT] != from).then(|| self.create(first.sides, [first.ends[LEFT], from]));
+        let end = (last.ends[RIGHT] != to).then(|| self.create(last.sides, [to, last.ends[RIGHT]]));
         let mut now = [
             self.create([first.sides[ABOVE], segment], [from, NONE]),
             self.create([segment, first.sides[BELOW]], [from, NONE]),

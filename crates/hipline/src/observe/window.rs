@@ -15,7 +15,9 @@ pub enum InvalidWindow {
     #[error("the window from ({0}, {1}) to ({2}, {3}) is not finite")]
     NotFinite(f64, f64, f64, f64),
     /// It has no area.
-    #[error("the window from ({0}, {1}) to ({2}, {3}) has no area: give the lower left corner first")]
+    #[error(
+        "the window from ({0}, {1}) to ({2}, {3}) has no area: give the lower left corner first"
+    )]
     Empty(f64, f64, f64, f64),
     /// The skeleton covers nothing of it.
     #[error("the window from ({0}, {1}) to ({2}, {3}) misses the data")]

@@ -7,9 +7,7 @@
 //! of the input, whatever events made the arc.
 
 use dashu_int::IBig;
-use hipline_num::{
-    BallDd, Sign, Surd, f64_to_parts, round_ball_dd_plus, round_quotient_plus,
-};
+use hipline_num::{BallDd, Sign, Surd, f64_to_parts, round_ball_dd_plus, round_quotient_plus};
 use std::cmp::Ordering;
 
 use super::{
