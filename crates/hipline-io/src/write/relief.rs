@@ -52,7 +52,7 @@ fn of_group(group: usize) -> Colour {
     // Hues by the golden ratio, in turn lighter and darker.
     let hue = (group as f64 * 0.618_033_988_749_894_9 + 0.27).fract() * 6.0;
     let value = [214.0, 190.0, 232.0][group % 3];
-    let saturation = [0.38, 0.46, 0.3][group / 3 % 3];
+    let saturation = [0.3, 0.36, 0.24][group / 3 % 3];
     std::array::from_fn(|k| {
         let at = (hue + [0.0, 4.0, 2.0][k]).rem_euclid(6.0);
         let part = ((at - 3.0).abs() - 1.0).clamp(0.0, 1.0);
@@ -220,15 +220,19 @@ mod pixels {
             let cell = window.longest_side() / f64::from(size * fine);
             let grid = Grid::new(self.terrain.window(), cell).map_err(raster)?;
             // A row or column more may have come in by rounding, and pixels must be whole.
-            let whole = |cells: usize| cells.div_ceil(fine as usize) * fine as usize;
+            let whole = |cells: usize| (cells / fine as usize).max(1) * fine as usize;
             let (columns, rows) = (whole(grid.columns()), whole(grid.rows()));
             let mut picture = Raster::new(columns, rows, NOTHING);
             let highest = self.terrain.highest();
             for (i, answer) in self.index.locate_grid(&grid).iter().enumerate() {
                 let (column, row) = (i % grid.columns(), i / grid.columns());
-                if let Ok(answer) = answer {
+                let row = grid.rows() - 1 - row;
+                if let Ok(answer) = answer
+                    && column < columns
+                    && row < rows
+                {
                     let colour = self.colour(answer.face, answer.time / highest);
-                    picture.set(column, grid.rows() - 1 - row, 0.0, bytes(colour));
+                    picture.set(column, row, 0.0, bytes(colour));
                 }
             }
             let pen = f64::from(fine) * (f64::from(size) / 1000.0).clamp(0.6, 4.0);
