@@ -18,12 +18,11 @@ use tiff::{
 
 /// A river with a tributary, and a lake beside it.
 fn figure() -> Figure {
-    FigureBuilder::new()
-        .polyline([[0.0, 0.0], [10.0, 2.0], [20.0, 0.0]])
-        .polyline([[10.0, 2.0], [12.0, 9.0]])
-        .polyline([[3.0, 7.0], [6.0, 7.0], [5.0, 10.0]])
-        .build()
-        .unwrap()
+    let mut builder = FigureBuilder::new();
+    builder.polyline(vec![[0.0, 0.0], [10.0, 2.0], [20.0, 0.0]]);
+    builder.polyline(vec![[10.0, 2.0], [12.0, 9.0]]);
+    builder.polyline(vec![[3.0, 7.0], [6.0, 7.0], [5.0, 10.0]]);
+    builder.build().unwrap()
 }
 
 fn skeleton(figure: &Figure) -> Skeleton {

@@ -79,6 +79,15 @@ pub struct Catchment {
     pub polygons: Vec<Vec<Vec<[f64; 2]>>>,
 }
 
+/// What is known of a catchment so far.
+#[derive(Default)]
+struct Found {
+    area: Sum,
+    is_cut: bool,
+    /// The rings around each connected part, by its first triangle.
+    parts: BTreeMap<usize, Vec<Vec<u32>>>,
+}
+
 impl Terrain {
     /// The catchments of groups of faces, ordered by the keys that they are given.
     ///
@@ -88,29 +97,29 @@ impl Terrain {
     pub fn catchments(&self, key: impl Fn(FaceId) -> usize) -> Vec<Catchment> {
         let keys: Vec<usize> = self.triangles().iter().map(|t| key(t.face)).collect();
         let outlines = Outlines::new(self, &keys);
-        let mut found: BTreeMap<usize, (Sum, bool, BTreeMap<usize, Vec<Vec<u32>>>)> =
-            BTreeMap::new();
+        let mut found: BTreeMap<usize, Found> = BTreeMap::new();
         for (triangle, &key) in self.triangles().iter().zip(&keys) {
-            let (area, ..) = found.entry(key).or_default();
-            area.add(self.plan_area(triangle));
+            found
+                .entry(key)
+                .or_default()
+                .area
+                .add(self.plan_area(triangle));
         }
         for (part, ring) in outlines.rings() {
-            let (_, is_cut, parts) = found.entry(keys[part]).or_default();
-            *is_cut |= self.is_cut(&ring);
-            parts.entry(part).or_default().push(ring);
+            let one = found.entry(keys[part]).or_default();
+            one.is_cut |= self.is_cut(&ring);
+            one.parts.entry(part).or_default().push(ring);
         }
-        let catchment =
-            |(key, (area, is_cut, parts)): (usize, (Sum, bool, BTreeMap<usize, Vec<Vec<u32>>>))| {
-                Catchment {
-                    key,
-                    area: area.total(),
-                    is_cut,
-                    polygons: parts
-                        .into_values()
-                        .map(|rings| self.polygon(rings))
-                        .collect(),
-                }
-            };
+        let catchment = |(key, one): (usize, Found)| Catchment {
+            key,
+            area: one.area.total(),
+            is_cut: one.is_cut,
+            polygons: one
+                .parts
+                .into_values()
+                .map(|rings| self.polygon(&rings))
+                .collect(),
+        };
         found.into_iter().map(catchment).collect()
     }
 
@@ -139,7 +148,7 @@ impl Terrain {
     }
 
     /// The rings around one connected part: the largest one is the shell.
-    fn polygon(&self, rings: Vec<Vec<u32>>) -> Vec<Vec<[f64; 2]>> {
+    fn polygon(&self, rings: &[Vec<u32>]) -> Vec<Vec<[f64; 2]>> {
         let mut rings: Vec<Vec<[f64; 2]>> = rings.iter().map(|r| self.points(r)).collect();
         let area = |ring: &Vec<[f64; 2]>| {
             let [x0, y0] = ring[0];

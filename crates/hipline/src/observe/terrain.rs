@@ -65,7 +65,9 @@ impl Terrain {
     /// ```
     /// use hipline::{FigureBuilder, Options, observe::{Terrain, Window}};
     ///
-    /// let figure = FigureBuilder::new().polyline([[0.0, 0.0], [6.0, 0.0]]).build()?;
+    /// let mut builder = FigureBuilder::new();
+    /// builder.polyline(vec![[0.0, 0.0], [6.0, 0.0]]);
+    /// let figure = builder.build()?;
     /// let skeleton = figure.skeleton(Options::default());
     /// let window = Window::new([-1.0, -1.0], [7.0, 2.0])?;
     /// let terrain = Terrain::new(&skeleton, &figure, window)?;
