@@ -1,6 +1,8 @@
 //! Queries, rain and terrain on small cases, degenerate in nearly every way: laws, and a search
 //! through all faces.
 
+#![allow(clippy::float_cmp, reason = "the numbers are to be these very ones")]
+
 mod common;
 
 use std::collections::BTreeMap;
