@@ -42,6 +42,10 @@ pub enum NoAnswer {
     /// The point is 2^200 times as far away as the figure is large, or more.
     #[error("the point ({0}, {1}) is too far from the figure")]
     TooFar(f64, f64),
+    /// A drop that crosses arcs, which takes weights, comes back to where it was: the places of
+    /// crossings are rounded.
+    #[error("the drop from ({0}, {1}) cannot be followed: rounding leads it in a circle")]
+    Lost(f64, f64),
 }
 
 /// A search structure over the faces of a skeleton.

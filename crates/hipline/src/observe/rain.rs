@@ -95,7 +95,7 @@ impl Index<'_> {
     /// O(log n) expected, and the size of the faces on the way.
     ///
     /// # Errors
-    /// As [`locate`](Self::locate).
+    /// As [`locate`](Self::locate), and with weights, rounding that leads in a circle.
     pub fn path(&self, point: [f64; 2]) -> Result<Drop, NoAnswer> {
         let answer = self.locate(point)?;
         let mut points = vec![[point[0], point[1], answer.time]];
@@ -138,7 +138,7 @@ impl Index<'_> {
                 Next::Stage(next) => stage = next,
             }
         }
-        let ending = ending.unwrap_or_else(|| panic!("a drop from {point:?} does not arrive"));
+        let ending = ending.ok_or(NoAnswer::Lost(point[0], point[1]))?;
         Ok(Drop {
             points,
             face,

@@ -80,7 +80,8 @@ impl Terrain {
     /// O(n log n).
     ///
     /// # Errors
-    /// The window lies beside the figure, or nothing in it is covered.
+    /// The window lies beside the figure, nothing in it is covered, or figure and window are too
+    /// large for f64.
     ///
     /// # Panics
     /// If the figure is not the one that the skeleton was computed from.
@@ -97,7 +98,12 @@ impl Terrain {
         if beside(0) || beside(1) {
             return Err(window.missed());
         }
-        let mesh = whole(skeleton, figure, window).triangulate();
+        let late = late(skeleton, figure, window);
+        if late > LAST {
+            let ([x0, y0], [x1, y1]) = (min, max);
+            return Err(InvalidWindow::NotFinite(x0, y0, x1, y1));
+        }
+        let mesh = whole(skeleton, figure, late).triangulate();
         let mut cutter = Cutter {
             mesh: &mesh,
             window,
@@ -162,6 +168,9 @@ impl Terrain {
     }
 }
 
+/// Later times would take coordinates beyond f64.
+const LAST: f64 = f64::from_bits((1023 + 900) << 52);
+
 /// A time at which the wavefront has left a window. Time grows by 1 / w at most per unit of length,
 /// w being the slowest speed, and is 0 on the figure.
 fn late(skeleton: &Skeleton, figure: &Figure, window: Window) -> f64 {
@@ -179,9 +188,8 @@ fn late(skeleton: &Skeleton, figure: &Figure, window: Window) -> f64 {
 }
 
 /// All faces, with time as height.
-fn whole(skeleton: &Skeleton, figure: &Figure, window: Window) -> Mesh {
+fn whole(skeleton: &Skeleton, figure: &Figure, late: f64) -> Mesh {
     let definitions = Definitions::new(skeleton, figure);
-    let late = late(skeleton, figure, window);
     let mut vertices: Vec<[f64; 3]> = skeleton
         .nodes()
         .iter()
