@@ -1,5 +1,7 @@
 //! What can be asked for. Help, completions and the man page derive from here.
 
+mod observe;
+
 use std::path::PathBuf;
 
 use clap::{
@@ -9,11 +11,16 @@ use clap::{
 use hipline::{Region, skeleton::Options};
 use hipline_io::{Format, write::Layers};
 
+pub use observe::{Corners, Drained, PlaneArgs, QueryArgs, RainArgs, TerrainArgs};
+
 const EXAMPLES: &str = "\
 Examples:
   hipline skeleton village.geojson -o village.svg
   hipline offset park.wkt --step 0.5 -o park.png
   hipline roof house.geojson --slope 35deg -o house.obj -o house.png
+  hipline terrain rivers.geojson -o relief.png --contours 5
+  hipline rain rivers.geojson --catchments system -o basins.png
+  hipline query rivers.geojson --at 3,4
   hipline skeleton parcels.geojson > parcels.json
   hipline check parcels.geojson --result parcels.json
 
@@ -35,6 +42,9 @@ pub enum Command {
     Skeleton(SkeletonArgs),
     Offset(OffsetArgs),
     Roof(RoofArgs),
+    Terrain(TerrainArgs),
+    Rain(RainArgs),
+    Query(QueryArgs),
     Check(CheckArgs),
     Draw(DrawArgs),
     Completions(CompletionsArgs),
@@ -138,6 +148,15 @@ pub enum OutputFormat {
     Wkt,
     /// A surface for 3D programs
     Obj,
+    /// A raster of heights as text, for maps: an ESRI ASCII grid
+    Asc,
+    /// A raster of heights for maps: GeoTIFF
+    #[value(alias = "tiff")]
+    Tif,
+    /// A table, with commas
+    Csv,
+    /// A table, with tabs
+    Tsv,
     /// A drawing that scales
     Svg,
     /// A drawing in pixels

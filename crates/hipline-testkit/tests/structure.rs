@@ -67,9 +67,10 @@ fn dependencies_point_one_way() {
         "hipline/src/predicates",
         &["kinetic", "skeleton", "offset::", "roof::"],
     );
-    absent("hipline/src/kinetic", &["offset::", "roof::"]);
-    absent("hipline/src/skeleton", &["offset::", "roof::"]);
-    absent("hipline/src/offset", &["kinetic::", "roof::"]);
+    absent("hipline/src/kinetic", &["offset::", "roof::", "observe::"]);
+    absent("hipline/src/skeleton", &["offset::", "roof::", "observe::"]);
+    absent("hipline/src/offset", &["kinetic::", "roof::", "observe::"]);
+    absent("hipline/src/observe", &["kinetic::"]);
     absent(
         "hipline/src/roof",
         &["kinetic::", "offset::", "predicates::"],
@@ -115,6 +116,7 @@ fn roots_of_floats_are_walled_off() {
         "predicates/root.rs",
         "offset/mod.rs",
         "roof/triangulate.rs",
+        "observe/terrain.rs",
     ];
     let stray = roots
         .iter()
@@ -137,6 +139,7 @@ fn nothing_depends_on_hash_order_or_clocks() {
         "skeleton",
         "offset",
         "roof",
+        "observe",
     ] {
         absent(&format!("hipline/src/{folder}"), &["HashMap"]);
     }

@@ -8,10 +8,12 @@
 //! skeleton/    nodes, arcs, faces, verify        the only way out
 //! offset/      the wavefront at given distances
 //! roof/        the skeleton lifted to a surface
+//! observe/     queries, rain, terrain
 //! ```
 
 pub mod input;
 mod kinetic;
+pub mod observe;
 pub mod offset;
 mod predicates;
 pub mod roof;

@@ -3,8 +3,13 @@
 mod check;
 mod draw;
 mod offset;
+mod points;
+mod query;
+mod rain;
 mod roof;
+mod scene;
 mod skeleton;
+mod terrain;
 mod write_offset;
 
 use std::io::{self, Write};
@@ -25,6 +30,9 @@ pub fn run(command: Command) -> Result<Outcome, Failure> {
         Command::Skeleton(args) => skeleton::run(&args),
         Command::Offset(args) => offset::run(&args),
         Command::Roof(args) => roof::run(&args),
+        Command::Terrain(args) => terrain::run(&args),
+        Command::Rain(args) => rain::run(&args),
+        Command::Query(args) => query::run(&args),
         Command::Check(args) => check::run(&args),
         Command::Draw(args) => draw::run(&args),
         Command::Completions(args) => {

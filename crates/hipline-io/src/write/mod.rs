@@ -6,15 +6,18 @@
 
 mod atomic;
 mod geojson;
+mod heights;
 mod json;
 mod number;
 mod obj;
+mod observed;
 mod palette;
 mod picture;
 #[cfg(feature = "png")]
 mod png;
 #[cfg(feature = "png")]
 mod raster;
+mod relief;
 #[cfg(feature = "png")]
 mod roof;
 mod svg;
@@ -23,11 +26,14 @@ mod wkt;
 
 pub use atomic::write_atomically;
 pub use geojson::{geojson, lines_geojson};
+pub use heights::{Heights, HeightsError};
 pub use json::{ResultsJson, json};
 pub use obj::{ObjWriter, obj};
+pub use observed::{catchments_geojson, contours_geojson, drops_geojson, terrain_obj};
 pub use picture::{Layers, OffsetLine, Picture};
 #[cfg(feature = "png")]
 pub use png::{DEFAULT_SIZE, PictureError};
+pub use relief::Relief;
 #[cfg(feature = "png")]
 pub use roof::{RoofView, roof_png};
 pub use window::Window;

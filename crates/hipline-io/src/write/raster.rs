@@ -111,7 +111,8 @@ impl Raster {
         }
     }
 
-    fn set(&mut self, column: usize, row: usize, depth: f64, colour: [u8; 3]) {
+    /// Colours a pixel, unless something nearer to the eye is there.
+    pub fn set(&mut self, column: usize, row: usize, depth: f64, colour: [u8; 3]) {
         let pixel = row * self.width + column;
         if depth as f32 > self.depth[pixel] {
             self.depth[pixel] = depth as f32;
@@ -172,7 +173,7 @@ pub(super) fn newell(ring: &[Corner]) -> Corner {
     normal
 }
 
-fn bytes(colour: Colour) -> [u8; 3] {
+pub(super) fn bytes(colour: Colour) -> [u8; 3] {
     colour.map(|c| c.round().clamp(0.0, 255.0) as u8)
 }
 

@@ -17,9 +17,12 @@
 //! the f64 numbers nearest to the exact ones. Edges whose ends are rounded into one point are
 //! left out, and so are loops all of whose points are rounded onto one line.
 
+mod definitions;
 mod level;
 mod lift;
 mod parts;
+
+pub(crate) use definitions::Definitions;
 
 use crate::{input::Figure, skeleton::Skeleton, topology::FaceId};
 

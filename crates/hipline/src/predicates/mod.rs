@@ -16,6 +16,7 @@ mod planes;
 mod root;
 mod rough;
 mod speeds;
+mod station;
 mod terminal;
 
 pub(crate) use eaves::Eave;
@@ -25,4 +26,5 @@ pub(crate) use moment::{Area, Bounds, Moment, Part};
 pub(crate) use orientation::orientation;
 pub(crate) use place::{Bound, Place, Start};
 pub(crate) use planes::{PlaneId, Planes};
+pub(crate) use station::{Spot, Station, Track, Way, rough_side};
 pub(crate) use terminal::Terminal;

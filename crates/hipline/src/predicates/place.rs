@@ -64,15 +64,15 @@ pub(crate) enum Bound {
 }
 
 /// `x / w`, `y / w` and `time / since`, in the numbers of one rung.
-struct Point<T> {
-    x: T,
-    y: T,
-    w: T,
-    time: T,
-    since: T,
+pub(super) struct Point<T> {
+    pub x: T,
+    pub y: T,
+    pub w: T,
+    pub time: T,
+    pub since: T,
 }
 
-fn input<T: Rung>(planes: &Planes, [x, y]: [f64; 2]) -> Point<T> {
+pub(super) fn input<T: Rung>(planes: &Planes, [x, y]: [f64; 2]) -> Point<T> {
     let coordinate = |x: f64, origin: f64| {
         let scaled = |x: f64| {
             let (mantissa, exponent) = f64_to_parts(x);
@@ -93,7 +93,7 @@ fn input<T: Rung>(planes: &Planes, [x, y]: [f64; 2]) -> Point<T> {
     }
 }
 
-fn point<T: Rung>(planes: &Planes, place: &Place) -> Point<T> {
+pub(super) fn point<T: Rung>(planes: &Planes, place: &Place) -> Point<T> {
     match *place {
         Place::Vertex(v) => input(planes, v),
         Place::Event { pair, moment } => {

@@ -206,6 +206,7 @@ impl Assembly<'_> {
         });
         let cycles = self.joint_boundary(starts);
         let (ceilings, mut jumps) = self.ceilings(&cycles, plane);
+        let spikes = self.spikes(&cycles, plane);
         for ghost in ghosts {
             let born = self.front.trace(ghost).born;
             let at = self.approximate(born, plane);
@@ -241,6 +242,17 @@ impl Assembly<'_> {
                 });
                 if nearer && (after_start.is_gt() || after_start.is_eq() && may_start) {
                     best = Some((at, hit, ceiling.walk));
+                }
+            }
+            for &(node, walk) in &spikes {
+                let at = place(node);
+                let stops = self.planes.compare_along(at, place(born), plane).is_eq()
+                    && self.planes.compare_times(at, place(born)).is_gt()
+                    && best.as_ref().is_none_or(|(other, ..)| {
+                        self.planes.compare_times(at, other) == Ordering::Less
+                    });
+                if stops {
+                    best = Some((*at, Hit::Node(node), walk));
                 }
             }
             if let Some((_, hit, walk)) = best {
@@ -302,6 +314,39 @@ impl Assembly<'_> {
         }
         list.sort_by(|a, b| b.low.total_cmp(&a.low).then(b.high.total_cmp(&a.high)));
         (list, jumps)
+    }
+
+    /// The nodes at the lower ends of walls without thickness that stand in the way of ghost arcs,
+    /// perpendicular to the edge, each with the walk that comes down to it.
+    fn spikes(&self, cycles: &[Vec<Walk>], plane: PlaneId) -> Vec<(u32, Walk)> {
+        if !self.planes.has_upright() {
+            return Vec::new();
+        }
+        let place = |node: u32| self.places[node as usize].as_ref().expect("a finite node");
+        let goes_straight = |x: TraceId| {
+            let trace = self.front.trace(x);
+            match trace.end {
+                End::At(end) => self
+                    .planes
+                    .compare_along(place(trace.born), place(end), plane)
+                    .is_eq(),
+                End::Moving => self.planes.drift(trace.pair, plane).is_zero(),
+                End::Ghost => false,
+            }
+        };
+        let mut list = Vec::new();
+        for cycle in cycles {
+            for (i, &walk) in cycle.iter().enumerate() {
+                let after = cycle[(i + 1) % cycle.len()];
+                if let (Walk::Down(x), Walk::Up(y)) = (walk, after)
+                    && goes_straight(x)
+                    && goes_straight(y)
+                {
+                    list.push((self.front.trace(x).born, walk));
+                }
+            }
+        }
+        list
     }
 
     /// Whether a stretch goes strictly against the edge's direction.
