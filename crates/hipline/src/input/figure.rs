@@ -60,6 +60,11 @@ impl Figure {
         &self.edges
     }
 
+    /// The edges, to give them other speeds.
+    pub(crate) fn edges_mut(&mut self) -> &mut [Edge] {
+        &mut self.edges
+    }
+
     /// The number of terminals: vertices of degree one.
     #[must_use]
     pub const fn terminals(&self) -> usize {
