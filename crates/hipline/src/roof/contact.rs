@@ -48,10 +48,19 @@ fn overlap(a: &[Point; 2], b: &[Point; 2]) -> bool {
 /// Whether two triangles have more in common than a corner or an edge.
 fn is_wrong(s: &Triangle, t: &Triangle) -> bool {
     let is_same = |p: &Point, q: &Point| p.map(f64::to_bits) == q.map(f64::to_bits);
-    let common: Vec<[usize; 2]> = (0..3)
-        .flat_map(|i| (0..3).map(move |j| [i, j]))
-        .filter(|&[i, j]| is_same(&s[i], &t[j]))
-        .collect();
+    let pairs = (0..3).flat_map(|i| (0..3).map(move |j| [i, j]));
+    let common: Vec<[usize; 2]> =
+        pairs.filter(|&[i, j]| is_same(&s[i], &t[j])).collect();
+    let corners = |side: usize| common.iter().fold([false; 3], |mut is_common, pair| {
+        is_common[pair[side]] = true;
+        is_common
+    });
+    if common.len() == 3 {
+        return true;
+    }
+    if is_beside(s, corners(0), t) || is_beside(t, corners(1), s) {
+        return false;
+    }
     match common[..] {
         [] => edges(s).any(|e| meets(e, t)) || edges(t).any(|e| meets(e, s)),
         // From the corner, what they have in common ends at an edge opposite to it, or nowhere.
@@ -59,6 +68,13 @@ fn is_wrong(s: &Triangle, t: &Triangle) -> bool {
         [[i, j], [k, l]] => folded([s[i], s[k]], s[3 - i - k], t[3 - j - l]),
         _ => true,
     }
+}
+
+/// Whether a triangle lies on one side of the plane of another, but for common corners.
+fn is_beside(s: &Triangle, is_common: [bool; 3], t: &Triangle) -> bool {
+    let &[a, b, c] = t;
+    let others = || (0..3).filter(|&k| !is_common[k]).map(|k| side(a, b, c, s[k]));
+    others().all(|x| x > 0.0) || others().all(|x| x < 0.0)
 }
 
 fn edges(t: &Triangle) -> impl Iterator<Item = [Point; 2]> {

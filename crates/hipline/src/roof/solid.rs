@@ -164,6 +164,16 @@ pub(super) fn close_overhang(
             ground: base.ground,
         });
     }
+    // The soffit is level, so nothing else may be as low as the rim.
+    let mut is_rim = vec![false; mesh.vertices.len()];
+    for &v in outer.iter().flatten() {
+        is_rim[v as usize] = true;
+    }
+    let is_low = |v: &&u32| !is_rim[**v as usize] && mesh.vertices[**v as usize][2] <= height;
+    if let Some(&v) = mesh.corners.iter().find(is_low) {
+        let [x, y] = mesh.plan(v);
+        return Err(InvalidRoof::Rounding { x, y });
+    }
     // The tops of the walls, after the vertices that there are.
     let (tops, mut parts) = footprint(figure, height)?;
     let before = mesh.vertices.len() as u32;
