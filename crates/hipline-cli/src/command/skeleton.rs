@@ -59,7 +59,8 @@ fn write(target: &Target, computed: &[Computed], look: PictureArgs) -> Result<()
             let mut objects = ObjWriter::new(w, 1.0);
             successes(computed).try_for_each(|(name, s)| objects.push(Some(name), s))
         }),
-        Svg | Png => {
+        // Svg and Png: `targets` lets nothing else through.
+        _ => {
             let mut picture = picture(successes(computed).map(|(_, s)| s));
             target.picture(picture.layers(look.layers()), look.size.size)
         }

@@ -7,6 +7,7 @@
 mod atomic;
 mod geojson;
 mod json;
+mod mesh;
 mod number;
 mod obj;
 mod palette;
@@ -24,6 +25,9 @@ mod wkt;
 pub use atomic::write_atomically;
 pub use geojson::{geojson, lines_geojson};
 pub use json::{ResultsJson, json};
+pub use mesh::{
+    Building, PlyEncoding, mesh_cityjson, mesh_glb, mesh_gltf, mesh_obj, mesh_ply, mesh_stl,
+};
 pub use obj::{ObjWriter, obj};
 pub use picture::{Layers, OffsetLine, Picture};
 #[cfg(feature = "png")]

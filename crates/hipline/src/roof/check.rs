@@ -138,9 +138,8 @@ impl Mesh {
                 return Err(MeshFlaw::NoVertex { triangle, vertex });
             }
             let [a, b, c] = corners.map(|v| self.vertices[v as usize]);
-            let is_flat = |[i, j]: [usize; 2]| {
-                orientation([a[i], a[j]], [b[i], b[j]], [c[i], c[j]]) == 0.0
-            };
+            let is_flat =
+                |[i, j]: [usize; 2]| orientation([a[i], a[j]], [b[i], b[j]], [c[i], c[j]]) == 0.0;
             if [[0, 1], [1, 2], [2, 0]].into_iter().all(is_flat) {
                 return Err(MeshFlaw::NoArea { triangle });
             }
@@ -184,7 +183,10 @@ impl Mesh {
                 list.push(if a < b { ([a, b], by) } else { ([b, a], -by) });
             };
             let triangles = self.triangles_of(facet);
-            triangles.iter().flat_map(|t| edges(t)).for_each(|e| count(e, 1));
+            triangles
+                .iter()
+                .flat_map(|t| edges(t))
+                .for_each(|e| count(e, 1));
             self.rings(facet).flat_map(edges).for_each(|e| count(e, -1));
             list.sort_unstable();
             for same in list.chunk_by(|a, b| a.0 == b.0) {
@@ -204,12 +206,15 @@ impl Mesh {
         for [a, b] in table.neighbours() {
             sets.join(a, b);
         }
-        let mut members: Vec<(usize, usize)> =
-            (0..self.triangles.len()).map(|t| (sets.root(t), t)).collect();
+        let mut members: Vec<(usize, usize)> = (0..self.triangles.len())
+            .map(|t| (sets.root(t), t))
+            .collect();
         members.sort_unstable();
         for part in members.chunk_by(|a, b| a.0 == b.0) {
             if !self.has_positive_volume(part.iter().map(|&(_, t)| t)) {
-                return Err(MeshFlaw::Inward { triangle: part[0].0 });
+                return Err(MeshFlaw::Inward {
+                    triangle: part[0].0,
+                });
             }
         }
         Ok(())

@@ -16,8 +16,15 @@ pub(super) fn first(vertices: &[Point], triangles: &[[u32; 3]]) -> Option<[usize
     let bounds: Vec<[Point; 2]> = places.iter().map(bound).collect();
     // A sweep along the longest extent.
     let extent = |axis: usize| {
-        let low = bounds.iter().map(|b| b[0][axis]).fold(f64::INFINITY, f64::min);
-        bounds.iter().map(|b| b[1][axis]).fold(f64::NEG_INFINITY, f64::max) - low
+        let low = bounds
+            .iter()
+            .map(|b| b[0][axis])
+            .fold(f64::INFINITY, f64::min);
+        bounds
+            .iter()
+            .map(|b| b[1][axis])
+            .fold(f64::NEG_INFINITY, f64::max)
+            - low
     };
     let axis = (0..3).max_by(|&a, &b| extent(a).total_cmp(&extent(b)))?;
     let mut order: Vec<usize> = (0..places.len()).collect();
@@ -49,12 +56,13 @@ fn overlap(a: &[Point; 2], b: &[Point; 2]) -> bool {
 fn is_wrong(s: &Triangle, t: &Triangle) -> bool {
     let is_same = |p: &Point, q: &Point| p.map(f64::to_bits) == q.map(f64::to_bits);
     let pairs = (0..3).flat_map(|i| (0..3).map(move |j| [i, j]));
-    let common: Vec<[usize; 2]> =
-        pairs.filter(|&[i, j]| is_same(&s[i], &t[j])).collect();
-    let corners = |side: usize| common.iter().fold([false; 3], |mut is_common, pair| {
-        is_common[pair[side]] = true;
-        is_common
-    });
+    let common: Vec<[usize; 2]> = pairs.filter(|&[i, j]| is_same(&s[i], &t[j])).collect();
+    let corners = |side: usize| {
+        common.iter().fold([false; 3], |mut is_common, pair| {
+            is_common[pair[side]] = true;
+            is_common
+        })
+    };
     if common.len() == 3 {
         return true;
     }
@@ -73,7 +81,11 @@ fn is_wrong(s: &Triangle, t: &Triangle) -> bool {
 /// Whether a triangle lies on one side of the plane of another, but for common corners.
 fn is_beside(s: &Triangle, is_common: [bool; 3], t: &Triangle) -> bool {
     let &[a, b, c] = t;
-    let others = || (0..3).filter(|&k| !is_common[k]).map(|k| side(a, b, c, s[k]));
+    let others = || {
+        (0..3)
+            .filter(|&k| !is_common[k])
+            .map(|k| side(a, b, c, s[k]))
+    };
     others().all(|x| x > 0.0) || others().all(|x| x < 0.0)
 }
 
@@ -135,9 +147,8 @@ fn cross([a, b]: [[f64; 2]; 2], [c, d]: [[f64; 2]; 2]) -> bool {
     let [e, f] = [orientation(a, b, c), orientation(a, b, d)];
     let [g, h] = [orientation(c, d, a), orientation(c, d, b)];
     if [e, f, g, h].iter().all(|&x| x == 0.0) {
-        return (0..2).all(|k| {
-            a[k].min(b[k]) <= c[k].max(d[k]) && c[k].min(d[k]) <= a[k].max(b[k])
-        });
+        return (0..2)
+            .all(|k| a[k].min(b[k]) <= c[k].max(d[k]) && c[k].min(d[k]) <= a[k].max(b[k]));
     }
     !apart(e, f) && !apart(g, h)
 }

@@ -53,8 +53,7 @@ pub(super) fn cut(
         // The next one far from this one, lest all triangles share a corner.
         from = (k + 1) % (n - 1);
     }
-    let is_fine =
-        ring.len() == 3 && orientation(ring[0].1, ring[1].1, ring[2].1) > 0.0;
+    let is_fine = ring.len() == 3 && orientation(ring[0].1, ring[1].1, ring[2].1) > 0.0;
     if is_fine {
         triangles.push([ring[0].0, ring[1].0, ring[2].0]);
     } else {
@@ -98,7 +97,9 @@ fn roundness(ring: &[(u32, [f64; 2])], k: usize) -> Option<f64> {
     let high = [0, 1].map(|i| a[i].max(b[i]).max(c[i]));
     let covers = |p: [f64; 2]| {
         (0..2).all(|i| low[i] <= p[i] && p[i] <= high[i])
-            && [a, b, c].iter().all(|q| q.map(f64::to_bits) != p.map(f64::to_bits))
+            && [a, b, c]
+                .iter()
+                .all(|q| q.map(f64::to_bits) != p.map(f64::to_bits))
             && orientation(a, b, p) >= 0.0
             && orientation(b, c, p) >= 0.0
             && orientation(c, a, p) >= 0.0

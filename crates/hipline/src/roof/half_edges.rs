@@ -75,7 +75,11 @@ impl HalfEdges {
     pub fn neighbours(&self) -> impl Iterator<Item = [usize; 2]> {
         self.0.iter().filter_map(|h| {
             let (a, b) = ((h.key >> 32) as u32, h.key as u32);
-            let other = if a < b { self.position([b, a])? } else { return None };
+            let other = if a < b {
+                self.position([b, a])?
+            } else {
+                return None;
+            };
             Some([h.cycle, self.0[other].cycle].map(|c| c as usize))
         })
     }
@@ -95,7 +99,9 @@ impl HalfEdges {
                 ring.push(a);
                 // A rotation about b ends, at the latest, after all edges that there are.
                 for _ in 0..self.0.len() {
-                    let Some(i) = self.position([a, b]) else { break };
+                    let Some(i) = self.position([a, b]) else {
+                        break;
+                    };
                     let c = self.0[i].next;
                     if let Some(next) = find([b, c]) {
                         at = next;

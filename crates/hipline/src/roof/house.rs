@@ -202,7 +202,9 @@ impl Grown {
         // A courtyard belongs to the smallest shell around it.
         polygons.sort_by(|a, b| a[0].area().total_cmp(&b[0].area()));
         for hole in holes {
-            let around = polygons.iter_mut().find(|polygon| polygon[0].contains(&hole));
+            let around = polygons
+                .iter_mut()
+                .find(|polygon| polygon[0].contains(&hole));
             around.ok_or(invalid)?.push(hole);
         }
         let mut builder = FigureBuilder::new();
@@ -261,6 +263,10 @@ impl Ring {
             }
             Some(is_inside)
         };
-        other.points.iter().find_map(|&p| on_side(p)).unwrap_or(false)
+        other
+            .points
+            .iter()
+            .find_map(|&p| on_side(p))
+            .unwrap_or(false)
     }
 }

@@ -17,11 +17,11 @@ use super::{
     region::{self, Cdt, flood, parts},
 };
 use crate::topology::EdgeId;
-use std::collections::BTreeSet;
 use spade::{
     Point2, PositionInTriangulation, Triangulation,
     handles::{FixedFaceHandle, FixedVertexHandle, InnerTag},
 };
+use std::collections::BTreeSet;
 
 /// No facet.
 const NONE: u32 = u32::MAX;
@@ -31,7 +31,8 @@ const NONE: u32 = u32::MAX;
 pub(super) fn tile(mesh: &Mesh, sloped: &[usize]) -> Option<Vec<Tile>> {
     let cycles = || {
         sloped.iter().enumerate().flat_map(|(i, &f)| {
-            mesh.rings(&mesh.facets[f]).map(move |ring| (i as u32, ring))
+            mesh.rings(&mesh.facets[f])
+                .map(move |ring| (i as u32, ring))
         })
     };
     let half_edges = HalfEdges::new(cycles());
@@ -42,7 +43,9 @@ pub(super) fn tile(mesh: &Mesh, sloped: &[usize]) -> Option<Vec<Tile>> {
     rounded.insert_nodes(&corners)?;
     for (i, ring) in cycles() {
         for edge in edges(ring) {
-            let other = half_edges.cycle([edge[1], edge[0]]).map_or(NONE, |c| c as u32);
+            let other = half_edges
+                .cycle([edge[1], edge[0]])
+                .map_or(NONE, |c| c as u32);
             // Each arc once; those of the rim are there already.
             if edge[0] < edge[1] && other != NONE {
                 rounded.arc(edge, [i, other]);
@@ -57,8 +60,15 @@ pub(super) fn tile(mesh: &Mesh, sloped: &[usize]) -> Option<Vec<Tile>> {
             .filter(|(_, label)| *label == i as u32)
             .map(|(triangle, _)| *triangle)
             .collect();
-        let table = HalfEdges::new(triangles.iter().enumerate().map(|(k, t)| (k as u32, &t[..])));
-        for part in parts(triangles.len(), &table, |ring| region::area(ring, &|v| mesh.plan(v))) {
+        let table = HalfEdges::new(
+            triangles
+                .iter()
+                .enumerate()
+                .map(|(k, t)| (k as u32, &t[..])),
+        );
+        for part in parts(triangles.len(), &table, |ring| {
+            region::area(ring, &|v| mesh.plan(v))
+        }) {
             tiles.push(Tile {
                 edge: mesh.facets[f].edge,
                 rings: part.rings,
@@ -131,7 +141,7 @@ impl<'a> Rounded<'a> {
         }
         for i in 0..rounded.rim.len() {
             let [a, b] = rounded.rim[i];
-            if rounded.cdt.try_add_constraint(a, b).len() != 1 {
+            if a == b || rounded.cdt.try_add_constraint(a, b).len() != 1 {
                 return None;
             }
         }
@@ -178,7 +188,9 @@ impl<'a> Rounded<'a> {
                 _ => {}
             }
         }
-        inside.into_iter().try_for_each(|v| self.insert(v).map(|_| ()))
+        inside
+            .into_iter()
+            .try_for_each(|v| self.insert(v).map(|_| ()))
     }
 
     /// The corner of the rim that is nearest to a node outside of it, to stand for the node.
@@ -189,7 +201,10 @@ impl<'a> Rounded<'a> {
                 let q = self.mesh.plan(self.names[a.index()]);
                 (p[0] - q[0]) * (p[0] - q[0]) + (p[1] - q[1]) * (p[1] - q[1])
             };
-            let nearest = self.rim.iter().min_by(|a, b| square(a).total_cmp(&square(b)));
+            let nearest = self
+                .rim
+                .iter()
+                .min_by(|a, b| square(a).total_cmp(&square(b)));
             self.handles[v as usize] = nearest.map(|ends| ends[0]);
         }
         self.handles[v as usize]
@@ -230,7 +245,11 @@ impl<'a> Rounded<'a> {
             // The arc's end is beyond an edge that is there already: that one makes way.
             let Some(k) = self.find([c, d]) else {
                 // Of the rim: nothing can be moved there.
-                let near = if self.distance([a, b], c) < self.distance([a, b], d) { c } else { d };
+                let near = if self.distance([a, b], c) < self.distance([a, b], d) {
+                    c
+                } else {
+                    d
+                };
                 waiting.extend(split(piece, near));
                 continue;
             };
@@ -252,7 +271,10 @@ impl<'a> Rounded<'a> {
 
     fn find(&self, [c, d]: [FixedVertexHandle; 2]) -> Option<usize> {
         let is_same = |p: &Piece| p.ends == [c, d] || p.ends == [d, c];
-        let is_rim = self.rim.iter().any(|&ends| ends == [c, d] || ends == [d, c]);
+        let is_rim = self
+            .rim
+            .iter()
+            .any(|&ends| ends == [c, d] || ends == [d, c]);
         self.pieces.iter().position(is_same).filter(|_| !is_rim)
     }
 
@@ -272,14 +294,12 @@ impl<'a> Rounded<'a> {
     }
 
     /// Of two crossing edges, the end that is nearest to the other one.
-    fn nearest(
-        &self,
-        ab: [FixedVertexHandle; 2],
-        cd: [FixedVertexHandle; 2],
-    ) -> FixedVertexHandle {
+    fn nearest(&self, ab: [FixedVertexHandle; 2], cd: [FixedVertexHandle; 2]) -> FixedVertexHandle {
         let candidates = [(cd[0], ab), (cd[1], ab), (ab[0], cd), (ab[1], cd)];
         let by = |p: &(FixedVertexHandle, [FixedVertexHandle; 2])| self.distance(p.1, p.0);
-        let nearest = candidates.into_iter().min_by(|p, q| by(p).total_cmp(&by(q)));
+        let nearest = candidates
+            .into_iter()
+            .min_by(|p, q| by(p).total_cmp(&by(q)));
         nearest.map_or(cd[0], |(v, _)| v)
     }
 
@@ -344,7 +364,11 @@ impl<'a> Rounded<'a> {
     fn seeds(&self, half_edges: &HalfEdges) -> Option<Vec<([FixedVertexHandle; 2], u32)>> {
         let mut sides: Vec<([FixedVertexHandle; 2], u32, i32)> = Vec::new();
         let mut add = |[a, b]: [FixedVertexHandle; 2], facet: u32, sign: i32| {
-            let (ends, sign) = if a < b { ([a, b], sign) } else { ([b, a], -sign) };
+            let (ends, sign) = if a < b {
+                ([a, b], sign)
+            } else {
+                ([b, a], -sign)
+            };
             sides.push((ends, facet, sign));
         };
         for piece in &self.pieces {

@@ -4,6 +4,7 @@
 //! wants. Both are over the same vertices. Lists are flat, so that a mesh of a small building is a
 //! handful of allocations.
 
+use super::half_edges::HalfEdges;
 use crate::topology::EdgeId;
 
 /// What a facet belongs to.
@@ -106,13 +107,22 @@ impl Mesh {
         &self.triangles[first..end]
     }
 
+    /// Whether each directed edge of the facets has its reverse: nothing is missing, as the
+    /// floor may be. For more, see [`Mesh::check`].
+    #[must_use]
+    pub fn is_closed(&self) -> bool {
+        HalfEdges::new(self.cycles()).open().next().is_none()
+    }
+
     /// The area of a facet in the plan, in square input units, up to rounding: positive if its
     /// boundary is counterclockwise from above. Holes are taken off.
     #[must_use]
     pub fn plan_area(&self, facet: &Facet) -> f64 {
-        let [x0, y0, _] = self.rings(facet).flatten().next().map_or([0.0; 3], |&v| {
-            self.vertices[v as usize]
-        });
+        let [x0, y0, _] = self
+            .rings(facet)
+            .flatten()
+            .next()
+            .map_or([0.0; 3], |&v| self.vertices[v as usize]);
         let cross = |[a, b]: [u32; 2]| {
             let [p, q] = [a, b].map(|v| self.vertices[v as usize]);
             (p[0] - x0) * (q[1] - y0) - (q[0] - x0) * (p[1] - y0)

@@ -42,8 +42,14 @@ pub fn plan(figure: &Figure, options: &RoofOptions) -> Result<Plan, InvalidRoof>
     };
     let edges = figure.edges();
     let at = |source: Source| {
-        let mut found = (0..edges.len()).filter(move |&i| edges[i].source == source).peekable();
-        found.peek().is_some().then_some(found).ok_or(InvalidRoof::NoEdge(source))
+        let mut found = (0..edges.len())
+            .filter(move |&i| edges[i].source == source)
+            .peekable();
+        found
+            .peek()
+            .is_some()
+            .then_some(found)
+            .ok_or(InvalidRoof::NoEdge(source))
     };
     let mut speeds: Vec<f64> = edges.iter().map(|edge| edge.speeds[0]).collect();
     for &(source, steep) in &options.edge_slopes {
@@ -62,7 +68,10 @@ pub fn plan(figure: &Figure, options: &RoofOptions) -> Result<Plan, InvalidRoof>
         let from = options.break_height / slope;
         if has_break && from > 0.0 {
             let speed_below = speed * (slope / options.lower_slope);
-            let lower = Phase { from: 0.0, speed: speed_below };
+            let lower = Phase {
+                from: 0.0,
+                speed: speed_below,
+            };
             vec![lower, Phase { from, speed }]
         } else {
             vec![Phase { from: 0.0, speed }]
@@ -70,7 +79,10 @@ pub fn plan(figure: &Figure, options: &RoofOptions) -> Result<Plan, InvalidRoof>
     };
     let mut profiles: Vec<Vec<Phase>> = speeds.into_iter().map(moving).collect();
     if matches!(options.shape, RoofShape::Gable | RoofShape::Gambrel) {
-        let standing = Phase { from: 0.0, speed: 0.0 };
+        let standing = Phase {
+            from: 0.0,
+            speed: 0.0,
+        };
         match &options.gables {
             Gables::Auto => {
                 for i in short_ends(figure) {
@@ -195,7 +207,10 @@ fn ends_of(figure: &Figure, ring: &[usize]) -> Vec<usize> {
             && lengths[1] <= lengths[2]
             && (lengths[1] < lengths[0] || lengths[1] < lengths[2] || (is_equal && k % 2 == 0))
     };
-    (0..m).filter(|&k| is_end(k)).flat_map(|k| sides[k].clone()).collect()
+    (0..m)
+        .filter(|&k| is_end(k))
+        .flat_map(|k| sides[k].clone())
+        .collect()
 }
 
 #[cfg(test)]
@@ -213,13 +228,24 @@ mod tests {
     const ELL: &[[f64; 2]] = &[[0., 0.], [6., 0.], [6., 6.], [4., 6.], [4., 2.], [0., 2.]];
 
     fn edge(edge: u32) -> Source {
-        Source { part: 0, ring: 0, edge }
+        Source {
+            part: 0,
+            ring: 0,
+            edge,
+        }
     }
 
     #[test]
     fn gables_are_at_the_short_ends() {
         let tee: &[[f64; 2]] = &[
-            [0., 0.], [9., 0.], [9., 2.], [6., 2.], [6., 5.], [3., 5.], [3., 2.], [0., 2.],
+            [0., 0.],
+            [9., 0.],
+            [9., 2.],
+            [6., 2.],
+            [6., 5.],
+            [3., 5.],
+            [3., 2.],
+            [0., 2.],
         ];
         let square: &[[f64; 2]] = &[[0., 0.], [4., 0.], [4., 4.], [0., 4.]];
         let chain: &[[f64; 2]] = &[[0., 0.], [9., 0.], [9., 1.], [9., 4.], [0., 4.]];
@@ -266,10 +292,18 @@ mod tests {
         };
         let plan = plan(&figure(&[RECTANGLE]), &options).expect("a plan");
         let [lower, upper] = [(0.0, 0.25), (6.0, 1.0)].map(|(from, speed)| Phase { from, speed });
-        let gable = Phase { from: 0.0, speed: 0.0 };
+        let gable = Phase {
+            from: 0.0,
+            speed: 0.0,
+        };
         assert_eq!(
             plan.profiles,
-            [vec![lower, upper], vec![gable], vec![lower, upper], vec![gable]]
+            [
+                vec![lower, upper],
+                vec![gable],
+                vec![lower, upper],
+                vec![gable]
+            ]
         );
         assert_eq!(plan.speeds(), None);
     }
@@ -294,7 +328,10 @@ mod tests {
         for wrong in [0.0, -1.0, f64::INFINITY] {
             assert_eq!(
                 plan(&figure, &slope(wrong)),
-                Err(InvalidRoof::EdgeSlope { edge: edge(0), slope: wrong })
+                Err(InvalidRoof::EdgeSlope {
+                    edge: edge(0),
+                    slope: wrong
+                })
             );
         }
     }

@@ -29,8 +29,8 @@ pub(super) fn fill(
         return true;
     }
     let before = triangles.len();
-    let is_filled = delaunay(rings, point, triangles).is_some()
-        && is_boundary(rings, &triangles[before..]);
+    let is_filled =
+        delaunay(rings, point, triangles).is_some() && is_boundary(rings, &triangles[before..]);
     if !is_filled {
         triangles.truncate(before);
     }
@@ -92,7 +92,7 @@ fn delaunay(
     let ends = |[a, b]: [u32; 2]| [handles[place(a)], handles[place(b)]];
     for edge in rings.iter().copied().flat_map(edges) {
         let [a, b] = ends(edge);
-        if !cdt.can_add_constraint(a, b) {
+        if a == b || !cdt.can_add_constraint(a, b) {
             return None;
         }
         cdt.add_constraint(a, b);

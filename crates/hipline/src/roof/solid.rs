@@ -23,7 +23,9 @@ pub(super) struct Base {
 /// Closes a roof, whose rim is level, by walls below its rim and floors between them.
 pub(super) fn close(mesh: &mut Mesh, base: Base) -> Result<(), InvalidRoof> {
     let table = HalfEdges::new(mesh.cycles());
-    let parts = parts(mesh.facets.len(), &table, |ring| region::area(ring, &|v| mesh.plan(v)));
+    let parts = parts(mesh.facets.len(), &table, |ring| {
+        region::area(ring, &|v| mesh.plan(v))
+    });
     let Some(&first) = parts.first().and_then(|part| part.rings.first()?.first()) else {
         return Ok(());
     };
@@ -76,7 +78,12 @@ fn stand(
     if base.floor {
         floor.iter_mut().for_each(|triangle| triangle.reverse());
         feet.iter_mut().for_each(|ring| ring.reverse());
-        mesh.push(Surface::Ground, None, feet.iter().map(Vec::as_slice), &floor);
+        mesh.push(
+            Surface::Ground,
+            None,
+            feet.iter().map(Vec::as_slice),
+            &floor,
+        );
     }
     Ok(())
 }
@@ -85,7 +92,12 @@ fn stand(
 fn rename(triangles: &mut [[u32; 3]], rings: &[&[u32]], feet: &[Vec<u32>], count: usize) {
     let mut names = vec![u32::MAX; count];
     let mut is_pinched = false;
-    let pairs = || rings.iter().zip(feet).flat_map(|(ring, feet)| ring.iter().zip(feet));
+    let pairs = || {
+        rings
+            .iter()
+            .zip(feet)
+            .flat_map(|(ring, feet)| ring.iter().zip(feet))
+    };
     for (&top, &foot) in pairs() {
         is_pinched |= names[top as usize] != u32::MAX;
         names[top as usize] = foot;
@@ -103,7 +115,9 @@ fn rename(triangles: &mut [[u32; 3]], rings: &[&[u32]], feet: &[Vec<u32>], count
     for (ring, feet) in rings.iter().zip(feet) {
         for ([at, mut next], &foot) in edges(ring).zip(feet) {
             while let Some(t) = table.cycle([at, next]) {
-                let k = (0..3).find(|&k| old[t][k] == at).expect("a corner of its triangle");
+                let k = (0..3)
+                    .find(|&k| old[t][k] == at)
+                    .expect("a corner of its triangle");
                 triangles[t][k] = foot;
                 next = old[t][(k + 2) % 3];
             }
@@ -117,9 +131,11 @@ fn only_rim_touches(mesh: &Mesh, parts: &[Part], ground: f64) -> Result<(), Inva
     for &v in parts.iter().flat_map(|part| part.rings.iter().flatten()) {
         is_rim[v as usize] = true;
     }
-    match mesh.corners.iter().find(|&&v| {
-        !is_rim[v as usize] && mesh.vertices[v as usize][2] <= ground
-    }) {
+    match mesh
+        .corners
+        .iter()
+        .find(|&&v| !is_rim[v as usize] && mesh.vertices[v as usize][2] <= ground)
+    {
         Some(&v) => {
             let [x, y] = mesh.plan(v);
             Err(InvalidRoof::TouchesFloor { x, y })
@@ -182,13 +198,20 @@ pub(super) fn close_overhang(
         *corner += before;
     }
     let walls = parts.iter().flat_map(|p| &p.rings);
-    let inner: Vec<Vec<u32>> = walls.map(|ring| ring.iter().rev().copied().collect()).collect();
+    let inner: Vec<Vec<u32>> = walls
+        .map(|ring| ring.iter().rev().copied().collect())
+        .collect();
     let rings: Vec<&[u32]> = outer.iter().chain(&inner).map(Vec::as_slice).collect();
     let mut triangles = Vec::new();
     if !region::fill(&rings, &|v| mesh.plan(v), &mut triangles) {
         return Err(InvalidRoof::Overhang(overhang));
     }
-    let table = HalfEdges::new(triangles.iter().enumerate().map(|(t, tri)| (t as u32, &tri[..])));
+    let table = HalfEdges::new(
+        triangles
+            .iter()
+            .enumerate()
+            .map(|(t, tri)| (t as u32, &tri[..])),
+    );
     let area = |mesh: &Mesh, ring: &[u32]| region::area(ring, &|v| mesh.plan(v));
     for soffit in region::parts(triangles.len(), &table, |ring| area(mesh, ring)) {
         let is_outer = |v: &u32| *v < before;
@@ -203,7 +226,12 @@ pub(super) fn close_overhang(
             [a, c, b]
         };
         let list: Vec<[u32; 3]> = soffit.cycles.iter().map(turned).collect();
-        mesh.push(Surface::Soffit, None, rings.iter().map(Vec::as_slice), &list);
+        mesh.push(
+            Surface::Soffit,
+            None,
+            rings.iter().map(Vec::as_slice),
+            &list,
+        );
     }
     let names = edge_table(figure);
     let edge_of = |_: &Mesh, edge: [u32; 2]| find(&names, edge.map(|v| v - before));
@@ -247,11 +275,22 @@ fn footprint(figure: &Figure, height: f64) -> Result<(Mesh, Vec<Part>), InvalidR
         .filter_map(|(corners, is_inside)| is_inside.then_some(*corners))
         .collect();
     let mesh = Mesh {
-        vertices: figure.vertices().iter().map(|&[x, y]| [x, y, height]).collect(),
+        vertices: figure
+            .vertices()
+            .iter()
+            .map(|&[x, y]| [x, y, height])
+            .collect(),
         ..Mesh::default()
     };
-    let table = HalfEdges::new(inside.iter().enumerate().map(|(t, tri)| (t as u32, &tri[..])));
-    let parts = parts(inside.len(), &table, |ring| region::area(ring, &|v| mesh.plan(v)));
+    let table = HalfEdges::new(
+        inside
+            .iter()
+            .enumerate()
+            .map(|(t, tri)| (t as u32, &tri[..])),
+    );
+    let parts = parts(inside.len(), &table, |ring| {
+        region::area(ring, &|v| mesh.plan(v))
+    });
     Ok((mesh, parts))
 }
 
@@ -268,10 +307,17 @@ impl Mesh {
     /// Only where a footprint touches itself is there anything to do.
     pub(super) fn split_fans(&mut self) {
         let corners = |t: usize| &self.triangles[t];
-        let all = self.triangles.iter().enumerate().map(|(t, tri)| (t as u32, &tri[..]));
+        let all = self
+            .triangles
+            .iter()
+            .enumerate()
+            .map(|(t, tri)| (t as u32, &tri[..]));
         let table = HalfEdges::new(all);
         let corner = |t: usize, v: u32| {
-            3 * t + (0..3).find(|&k| corners(t)[k] == v).expect("a corner of its triangle")
+            3 * t
+                + (0..3)
+                    .find(|&k| corners(t)[k] == v)
+                    .expect("a corner of its triangle")
         };
         let mut sets = Sets::new(3 * self.triangles.len());
         for (t, triangle) in self.triangles.iter().enumerate() {

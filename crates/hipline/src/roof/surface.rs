@@ -71,7 +71,10 @@ fn vertex(
         let node = skeleton.node(node);
         let height = lift.eaves + node.time * lift.slope;
         if !height.is_finite() {
-            return Err(InvalidRoof::TooHigh { x: node.x, y: node.y });
+            return Err(InvalidRoof::TooHigh {
+                x: node.x,
+                y: node.y,
+            });
         }
         *slot = mesh.vertex([node.x, node.y, height]);
     }
@@ -91,7 +94,11 @@ fn bounded_faces(skeleton: &Skeleton) -> Vec<bool> {
         sets.join(a, b);
     }
     let mut bounded = vec![true; count];
-    for arc in skeleton.arcs().iter().filter(|arc| is_infinite(arc.nodes[1])) {
+    for arc in skeleton
+        .arcs()
+        .iter()
+        .filter(|arc| is_infinite(arc.nodes[1]))
+    {
         bounded[sets.root(arc.faces[0].index())] = false;
     }
     (0..count).map(|face| bounded[sets.root(face)]).collect()

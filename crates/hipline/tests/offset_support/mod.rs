@@ -112,7 +112,14 @@ pub fn polygons(stems: &[&str], limit: usize) -> Vec<(String, Figure, f64)> {
             };
             // Not even looked at, if there are too many.
             let ring_size = |ring: &Value| ring.as_array().map_or(0, Vec::len).saturating_sub(1);
-            if parts.iter().copied().flatten().map(ring_size).sum::<usize>() > limit {
+            if parts
+                .iter()
+                .copied()
+                .flatten()
+                .map(ring_size)
+                .sum::<usize>()
+                > limit
+            {
                 continue;
             }
             let mut builder = FigureBuilder::new();
