@@ -93,13 +93,16 @@ fn scene(buildings: &[Building]) -> (Root, Vec<u8>) {
             extras: Default::default(),
         });
     }
-    let scene = root.push(Scene {
-        nodes,
-        name: None,
-        extensions: None,
-        extras: Default::default(),
-    });
-    root.scene = Some(scene);
+    // A scene of nothing is not allowed; no scene is.
+    if !nodes.is_empty() {
+        let scene = root.push(Scene {
+            nodes,
+            name: None,
+            extensions: None,
+            extras: Default::default(),
+        });
+        root.scene = Some(scene);
+    }
     (root, bytes)
 }
 
