@@ -7,6 +7,7 @@
 //! worker     that process, seen from outside: started, waited for, ended at the limit
 //! campaign   which measurements to make, given those made before
 //! report     tables, verdicts, JSON
+//! roofs      roofs per second, which needs no process of its own
 //! ```
 //!
 //! Every measurement has its own process, so that none inherits the heap of another, the peak of
@@ -18,6 +19,7 @@ mod input;
 mod measure;
 mod options;
 mod report;
+mod roofs;
 mod worker;
 
 use std::process::ExitCode;
@@ -46,6 +48,9 @@ fn run() -> Result<(), String> {
         print!("{}", options::HELP);
         return Ok(());
     };
+    if options.roofs {
+        return roofs::run(&options.data);
+    }
     let rows = campaign::run(&options);
     print!("{}", report::text(&rows, options.style));
     if let Some(path) = &options.json {

@@ -16,6 +16,7 @@ Measures hipline beside a plain constrained Delaunay triangulation (spade) of th
                        the families that are left out otherwise, too
     --sizes N,M,..     vertices of the families' inputs [1000,10000,100000,1000000]
     --quick            the same as --sizes 1000,10000,100000
+    --roofs            instead: roofs per second on the files of buildings
     --side SIDE        interior or both sides of polygons [interior]
     --limit SECONDS    leave out what would take longer, judged by the sizes before [120]
     --data DIR         where the files are [../shared/data beside the repository]
@@ -28,6 +29,8 @@ pub struct Options {
     pub inputs: Vec<Input>,
     pub sizes: Vec<usize>,
     pub both_sides: bool,
+    /// Whether to measure roofs, and nothing else.
+    pub roofs: bool,
     pub limit: Duration,
     pub data: PathBuf,
     pub style: Style,
@@ -41,6 +44,7 @@ pub fn parse(arguments: Vec<OsString>) -> Result<Option<Options>, String> {
         return Ok(None);
     }
     let quick = arguments.contains("--quick");
+    let roofs = arguments.contains("--roofs");
     let style = if arguments.contains("--markdown") {
         Style::Markdown
     } else {
@@ -90,6 +94,7 @@ pub fn parse(arguments: Vec<OsString>) -> Result<Option<Options>, String> {
         inputs,
         sizes,
         both_sides,
+        roofs,
         limit: Duration::from_secs(limit),
         data,
         style,

@@ -11,6 +11,9 @@ use clap::{
 use hipline::{Region, skeleton::Options};
 use hipline_io::{Format, write::Layers};
 
+use crate::parse::{
+    GableArg, RoofEdge, distance, edge_slope, elevation, finite, gable, positive, slope,
+};
 pub use observe::{Corners, Drained, PlaneArgs, QueryArgs, RainArgs, TerrainArgs};
 
 const EXAMPLES: &str = "\
@@ -157,6 +160,16 @@ pub enum OutputFormat {
     Csv,
     /// A table, with tabs
     Tsv,
+    /// A mesh of triangles, with coordinates of 64 bits
+    Ply,
+    /// Triangles for printers, with coordinates of 32 bits
+    Stl,
+    /// A scene for viewers, binary glTF
+    Glb,
+    /// The same as JSON
+    Gltf,
+    /// Buildings with roof, wall and ground surfaces (.city.json)
+    Cityjson,
     /// A drawing that scales
     Svg,
     /// A drawing in pixels
@@ -285,35 +298,92 @@ pub struct OffsetArgs {
     pub size: SizeArgs,
 }
 
-/// Build the hip roof over polygons.
+/// Build roofs over polygons.
 ///
-/// Writes a mesh (obj), a view from the side (png) or a plan (svg). The mesh is a closed
-/// solid, each feature an object of its own; the height of a point is the time at which
-/// the wavefront arrives, times the slope.
+/// Writes a mesh (obj, ply, stl, glb, gltf, cityjson), a view from the side (png) or a plan (svg).
+/// The mesh is a closed solid, each feature an object of its own. What the flags leave open, the
+/// OpenStreetMap tags of a feature decide: roof:shape, roof:angle, roof:height, height,
+/// min_height.
 ///
 /// Without -o, OBJ goes to standard output.
 #[derive(Debug, Parser)]
 #[command(after_help = "\
 Examples:
   hipline roof house.geojson -o house.obj
-  hipline roof house.geojson --slope 35deg -o house.obj -o house.png
+  hipline roof house.geojson --slope 35deg --eaves 6 --overhang 0.5 -o house.glb -o house.png
+  hipline roof village.geojson --height 4 --eaves 5 -o village.city.json
   hipline roof village.geojson --slope 0.7 --open --triangles > village.obj")]
 pub struct RoofArgs {
     #[command(flatten)]
     pub input: InputArgs,
 
-    /// How steep: an angle as 45deg, or rise over run as 0.7
-    #[arg(short, long, value_name = "SLOPE", default_value = "45deg",
-          allow_hyphen_values = true, value_parser = slope)]
-    pub slope: f64,
+    /// The shape of the roofs [default: as tagged, else hip]
+    #[arg(long, value_name = "SHAPE")]
+    pub shape: Option<ShapeArg>,
 
-    /// Leave out the floor: only the facets of the roof
+    /// How steep: an angle as 35 or 35deg, or rise over run as 1:2 or 0.7; below 3 a number
+    /// without unit is a ratio [default: as tagged, else 45deg]
+    #[arg(short, long, value_name = "SLOPE", allow_hyphen_values = true, value_parser = slope)]
+    pub slope: Option<f64>,
+
+    /// How high the roof is from eaves to ridge, in place of a slope
+    #[arg(long, value_name = "HEIGHT", conflicts_with = "slope", allow_hyphen_values = true,
+          value_parser = positive)]
+    pub height: Option<f64>,
+
+    /// The slope of an edge, in place of the common one; may be given several times.
+    /// An edge is its number, or RING/EDGE, or PART/RING/EDGE, all from 0
+    #[arg(long, value_name = "EDGE=SLOPE", allow_hyphen_values = true, value_parser = edge_slope)]
+    pub edge_slope: Vec<(RoofEdge, f64)>,
+
+    /// Which edges carry gables: auto (the short ends), none, or edges with commas between
+    #[arg(long, value_name = "EDGES", value_parser = gable)]
+    pub gable: Option<GableArg>,
+
+    /// The slope of a mansard or gambrel roof below its break [default: 3:1]
+    #[arg(long, value_name = "SLOPE", value_parser = slope)]
+    pub lower_slope: Option<f64>,
+
+    /// The height of the break of a mansard or gambrel roof above the eaves [default: 2]
+    #[arg(long, value_name = "HEIGHT", value_parser = positive)]
+    pub break_height: Option<f64>,
+
+    /// The height at which the roof meets the walls [default: as tagged, else that of the floor]
+    #[arg(long, value_name = "HEIGHT", allow_hyphen_values = true, value_parser = finite)]
+    pub eaves: Option<f64>,
+
+    /// How far the roof reaches beyond the walls
+    #[arg(long, value_name = "DISTANCE", default_value_t = 0.0,
+          allow_hyphen_values = true, value_parser = distance)]
+    pub overhang: f64,
+
+    /// The height of the floor [default: as tagged, else 0]
+    #[arg(long, value_name = "HEIGHT", allow_hyphen_values = true, value_parser = finite)]
+    pub floor: Option<f64>,
+
+    /// Leave out the floor
+    #[arg(long)]
+    pub no_floor: bool,
+
+    /// Leave out the walls
+    #[arg(long)]
+    pub no_walls: bool,
+
+    /// Leave out floor and walls: only the facets of the roof
     #[arg(long)]
     pub open: bool,
 
-    /// Cut every facet into triangles
+    /// Do not look at tags
+    #[arg(long)]
+    pub no_tags: bool,
+
+    /// In OBJ, cut every facet into triangles
     #[arg(long)]
     pub triangles: bool,
+
+    /// Write PLY as text
+    #[arg(long)]
+    pub ascii: bool,
 
     /// Print counts and times to standard error
     #[arg(long)]
@@ -332,12 +402,22 @@ pub struct RoofArgs {
           value_parser = elevation, help_heading = "Pictures")]
     pub elevation: f64,
 
-    /// How high the walls are, in input units [default: a little lower than the roof]
-    #[arg(long, value_name = "HEIGHT", value_parser = distance, help_heading = "Pictures")]
-    pub walls: Option<f64>,
-
     #[command(flatten, next_help_heading = "Pictures")]
     pub size: SizeArgs,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum ShapeArg {
+    /// Every edge rises
+    Hip,
+    /// Some edges carry gables
+    Gable,
+    /// Steep below, flatter above
+    Mansard,
+    /// Steep below, flatter above, between gables
+    Gambrel,
+    /// Level
+    Flat,
 }
 
 /// Check an input, or a result against it.
@@ -384,65 +464,6 @@ pub struct CompletionsArgs {
     pub shell: clap_complete::Shell,
 }
 
-fn number(text: &str) -> Result<f64, String> {
-    text.trim()
-        .parse::<f64>()
-        .map_err(|_| "this is not a number".to_owned())
-}
-
-fn finite(text: &str) -> Result<f64, String> {
-    let value = number(text)?;
-    if value.is_finite() {
-        Ok(value)
-    } else {
-        Err("it must be finite".to_owned())
-    }
-}
-
-fn distance(text: &str) -> Result<f64, String> {
-    let value = finite(text)?;
-    if value >= 0.0 {
-        Ok(value)
-    } else {
-        Err("it must not be below 0".to_owned())
-    }
-}
-
-fn positive(text: &str) -> Result<f64, String> {
-    let value = finite(text)?;
-    if value > 0.0 {
-        Ok(value)
-    } else {
-        Err("it must be above 0".to_owned())
-    }
-}
-
-fn elevation(text: &str) -> Result<f64, String> {
-    let value = finite(text)?;
-    if (0.0..=90.0).contains(&value) {
-        Ok(value)
-    } else {
-        Err("it must be between 0 and 90".to_owned())
-    }
-}
-
-/// A slope: degrees with a unit, or a ratio without.
-fn slope(text: &str) -> Result<f64, String> {
-    let degrees = text.strip_suffix("deg").or_else(|| text.strip_suffix('°'));
-    let Some(degrees) = degrees else {
-        return positive(text);
-    };
-    let degrees = positive(degrees)?;
-    if degrees >= 90.0 {
-        return Err("it must be below 90 degrees".to_owned());
-    }
-    // The tangent of the f64 nearest to pi/4 is not 1.
-    if degrees.to_bits() == 45.0_f64.to_bits() {
-        return Ok(1.0);
-    }
-    positive(&degrees.to_radians().tan().to_string())
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -451,19 +472,5 @@ mod tests {
     #[test]
     fn the_definition_is_consistent() {
         Args::command().debug_assert();
-    }
-
-    #[test]
-    fn slopes() {
-        assert_eq!(slope("45deg"), Ok(1.0));
-        assert_eq!(slope("45°"), Ok(1.0));
-        assert_eq!(slope("0.7"), Ok(0.7));
-        let steep = slope("60deg").unwrap();
-        assert!((steep * steep - 3.0).abs() < 1e-12, "{steep}");
-        for wrong in [
-            "", "0", "-1", "nan", "inf", "90deg", "0deg", "deg", "1rad", "1e999",
-        ] {
-            assert!(slope(wrong).is_err(), "{wrong}");
-        }
     }
 }

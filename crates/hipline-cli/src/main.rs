@@ -2,11 +2,12 @@
 //!
 //! ```text
 //! args        what can be asked for; help, completions and the man page derive from it
+//! parse       values of flags
 //! failure     exit codes
 //! input       from a file or standard input to features
 //! compute     from features to skeletons, each on its own
 //! output      whole files or none, standard output without panics
-//! mesh        roofs as OBJ
+//! tags        OpenStreetMap's tags of buildings
 //! command/    one module a command
 //! ```
 //!
@@ -17,8 +18,9 @@ mod command;
 mod compute;
 mod failure;
 mod input;
-mod mesh;
 mod output;
+mod parse;
+mod tags;
 
 use std::process::ExitCode;
 

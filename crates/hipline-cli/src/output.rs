@@ -79,7 +79,20 @@ pub fn targets(
     Ok(targets)
 }
 
+/// Whether it is not text. PLY may be either.
+const fn is_binary(format: OutputFormat) -> bool {
+    matches!(
+        format,
+        OutputFormat::Png | OutputFormat::Stl | OutputFormat::Glb
+    )
+}
+
 fn by_extension(path: &Path) -> Option<OutputFormat> {
+    // The usual ending of CityJSON is two.
+    let file = path.file_name()?.to_str()?.to_ascii_lowercase();
+    if file.ends_with(".city.json") {
+        return Some(OutputFormat::Cityjson);
+    }
     let extension = path.extension()?.to_str()?;
     OutputFormat::from_str(extension, true).ok()
 }
@@ -99,9 +112,12 @@ impl Target {
     /// Finds what can be found before anything is computed.
     fn check(&self) -> Result<(), Failure> {
         match &self.path {
-            None if self.format == OutputFormat::Png && io::stdout().is_terminal() => Err(
-                Failure::Usage("a terminal cannot show PNG; -o names a file".to_owned()),
-            ),
+            None if is_binary(self.format) && io::stdout().is_terminal() => {
+                Err(Failure::Usage(format!(
+                    "a terminal cannot show {}; -o names a file",
+                    name(self.format)
+                )))
+            }
             None => Ok(()),
             Some(path) => {
                 let directory = match path.parent() {

@@ -93,7 +93,7 @@ fn help() {
         Commands:
           skeleton     Compute the straight skeletons of a file's features
           offset       Move a figure's edges by given distances
-          roof         Build the hip roof over polygons
+          roof         Build roofs over polygons
           check        Check an input, or a result against it
           draw         Draw an input or a skeleton as it is, without computing
           completions  Print a script that completes hipline's commands and flags in a shell
@@ -543,6 +543,30 @@ fn roofs() {
     assert!(fs::read(png).unwrap().starts_with(b"\x89PNG"));
     assert!(fs::read_to_string(svg).unwrap().contains("id=\"ridge\""));
 
+    for name in ["a.ply", "a.stl", "a.glb", "a.gltf", "a.city.json"] {
+        let path = scratch.path(name);
+        let flags = [
+            "roof",
+            "-",
+            "--eaves",
+            "3",
+            "--overhang",
+            "0.5",
+            "-o",
+            &path,
+        ];
+        let output = run(&flags, &two);
+        assert_eq!(code(&output), 0, "{name}: {}", err(&output));
+        let start: &[u8] = match name {
+            "a.ply" => b"ply\nformat binary_little_endian 1.0\n",
+            "a.stl" => b"hipline origin ",
+            "a.glb" => b"glTF",
+            "a.gltf" => b"{\"accessors\":",
+            _ => b"{\"CityObjects\":",
+        };
+        assert!(fs::read(&path).unwrap().starts_with(start), "{name}");
+    }
+
     let output = run(&["roof", "-"], "LINESTRING (0 0, 1 0)");
     assert_eq!((code(&output), out(&output)), (1, ""));
     assert!(
@@ -550,6 +574,88 @@ fn roofs() {
         "{}",
         err(&output)
     );
+}
+
+/// The heights of the vertices of a roof over a rectangle of 8 by 4 with such properties.
+fn heights(properties: &str, flags: &[&str]) -> Result<Vec<f64>, String> {
+    let feature = format!(
+        "{{\"type\":\"Feature\",\"properties\":{properties},\"geometry\":{{\"type\":\"Polygon\",\
+         \"coordinates\":[[[0,0],[8,0],[8,4],[0,4],[0,0]]]}}}}"
+    );
+    let output = run(&[&["roof", "-"], flags].concat(), &feature);
+    if code(&output) != 0 {
+        return Err(err(&output).to_owned());
+    }
+    let (vertices, faces) = mesh(out(&output));
+    assert_eq!(open_edges(&faces), 0, "watertight");
+    let mut heights: Vec<f64> = vertices.iter().map(|v| v[2]).collect();
+    heights.sort_by(f64::total_cmp);
+    heights.dedup();
+    Ok(heights)
+}
+
+#[test]
+fn tags_and_flags_of_roofs() {
+    let tagged = r#"{"roof:shape":"hipped","roof:angle":45,"height":"9 m","min_height":1}"#;
+    for (properties, flags, expected) in [
+        ("{}", &[][..], &[0.0, 2.0][..]),
+        (tagged, &[], &[1.0, 7.0, 9.0]),
+        (tagged, &["--no-tags"], &[0.0, 2.0]),
+        (tagged, &["--slope", "1:2"], &[1.0, 8.0, 9.0]),
+        (tagged, &["--height", "3"], &[1.0, 6.0, 9.0]),
+        (tagged, &["--eaves", "4", "--floor", "0"], &[0.0, 4.0, 6.0]),
+        (tagged, &["--overhang", "0.5"], &[1.0, 6.5, 9.0]),
+        (tagged, &["--shape", "flat"], &[1.0, 9.0]),
+        (r#"{"roof:shape":"flat","height":5}"#, &[], &[0.0, 5.0]),
+        (r#"{"roof:height":3}"#, &["--eaves", "2"], &[0.0, 2.0, 5.0]),
+        (
+            "{}",
+            &["--edge-slope", "1=2", "--slope", "0.5"],
+            &[0.0, 1.0],
+        ),
+    ] {
+        assert_eq!(
+            heights(properties, flags).as_deref(),
+            Ok(expected),
+            "{properties} {flags:?}"
+        );
+    }
+    for (properties, flags, message) in [
+        (
+            "{}",
+            &["--edge-slope", "4=1"][..],
+            "there is no part 0, ring 0, edge 4",
+        ),
+        (
+            "{}",
+            &["--shape", "mansard"],
+            "Mansard roofs are not supported yet",
+        ),
+        (
+            "{}",
+            &["--gable", "auto"],
+            "Gable roofs are not supported yet",
+        ),
+        (
+            "{}",
+            &["--eaves", "1", "--overhang", "2"],
+            "the eaves at height -1 are below the floor",
+        ),
+        (r#"{"roof:angle":"steep"}"#, &[], "roof:angle is \"steep\""),
+        (
+            r#"{"height":1,"min_height":2}"#,
+            &[],
+            "are below the floor at 2",
+        ),
+    ] {
+        let error = heights(properties, flags).expect_err(message);
+        assert!(
+            error.starts_with("error: feature 0: ") && error.contains(message),
+            "{error}"
+        );
+    }
+    let output = run(&["roof", "-", "--edge-slope", "1:2"], "");
+    assert_eq!(code(&output), 2);
 }
 
 #[test]

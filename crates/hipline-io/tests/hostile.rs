@@ -69,7 +69,9 @@ fn feed(bytes: &[u8]) {
                 size: 20,
                 ..write::RoofView::default()
             };
-            write::roof_png(std::io::sink(), &[&skeleton], &view).unwrap();
+            if let Ok(mesh) = skeleton.roof(1.0) {
+                write::roof_png(std::io::sink(), &[&mesh], &view).unwrap();
+            }
         }
     }
 }

@@ -451,7 +451,7 @@ fn pictures_of_nothing_are_pictures() {
         |w| {
             write::roof_png(
                 w,
-                &[&skeleton],
+                &[],
                 &write::RoofView {
                     size: 16,
                     ..Default::default()
@@ -473,6 +473,17 @@ fn png(draw: impl FnOnce(&mut Vec<u8>), width: u32, height: u32) {
     assert_eq!((number(16), number(20)), (width, height));
 }
 
+/// A house of 12 by 6, its eaves at 3, its ridge at 6.
+fn house() -> hipline::roof::Mesh {
+    let ring = [[0.0, 0.0], [12.0, 0.0], [12.0, 6.0], [0.0, 6.0]];
+    let polygon = hipline::Polygon::new([ring]).unwrap();
+    let options = hipline::roof::RoofOptions {
+        eaves: 3.0,
+        ..Default::default()
+    };
+    polygon.figure().roof(&options).unwrap()
+}
+
 #[test]
 fn png_pictures_have_the_size_asked_for() {
     let skeleton = hip_roof();
@@ -483,11 +494,9 @@ fn png_pictures_have_the_size_asked_for() {
         size: 300,
         ..Default::default()
     };
-    png(
-        |w| write::roof_png(w, &[&skeleton], &view).unwrap(),
-        300,
-        186,
-    );
+    let mesh = house();
+    // 13.41 by 8.82 units on the screen, and a margin of a twentieth of 13.41 on each side.
+    png(|w| write::roof_png(w, &[&mesh], &view).unwrap(), 300, 207);
     for size in [0, 1 << 20] {
         let message = format!("a picture has between 1 and 16384 pixels to a side, not {size}");
         assert_eq!(
@@ -496,7 +505,7 @@ fn png_pictures_have_the_size_asked_for() {
         );
         let view = write::RoofView { size, ..view };
         assert_eq!(
-            write::roof_png(Vec::new(), &[&skeleton], &view)
+            write::roof_png(Vec::new(), &[&mesh], &view)
                 .unwrap_err()
                 .to_string(),
             message
@@ -509,7 +518,7 @@ fn png_pictures_have_the_size_asked_for() {
         })
         .unwrap();
         write::write_atomically(directory.join("roof.png"), |w| {
-            write::roof_png(w, &[&skeleton], &write::RoofView { size: 800, ..view })
+            write::roof_png(w, &[&mesh], &write::RoofView { size: 800, ..view })
                 .map_err(std::io::Error::other)
         })
         .unwrap();

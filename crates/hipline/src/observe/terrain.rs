@@ -8,9 +8,9 @@ use super::{InvalidWindow, Window};
 use crate::{
     input::Figure,
     offset::Definitions,
-    roof::{Mesh, MeshFace},
+    roof::tiled,
     skeleton::Skeleton,
-    topology::{ArcId, FaceId, NodeId},
+    topology::{ArcId, FaceId},
 };
 use std::collections::BTreeMap;
 
@@ -103,11 +103,11 @@ impl Terrain {
             let ([x0, y0], [x1, y1]) = (min, max);
             return Err(InvalidWindow::NotFinite(x0, y0, x1, y1));
         }
-        let mesh = whole(skeleton, figure, late).triangulate();
+        let (vertices, triangles) = whole(skeleton, figure, late).ok_or(InvalidWindow::Rounding)?;
         let mut cutter = Cutter {
-            mesh: &mesh,
+            vertices: &vertices,
             window,
-            names: vec![u32::MAX; mesh.vertices.len()],
+            names: vec![u32::MAX; vertices.len()],
             crossings: BTreeMap::new(),
             corners: [None; 4],
             terrain: Self {
@@ -116,8 +116,8 @@ impl Terrain {
                 triangles: Vec::new(),
             },
         };
-        for face in &mesh.faces {
-            cutter.triangle(face);
+        for (corners, face) in triangles {
+            cutter.triangle(corners, face);
         }
         if cutter.terrain.triangles.is_empty() {
             Err(window.missed())
@@ -187,8 +187,11 @@ fn late(skeleton: &Skeleton, figure: &Figure, window: Window) -> f64 {
     2.0 * (last + 2.0 * (reach(0) + reach(1)) / slowest)
 }
 
+/// Vertices, and triangles with their faces.
+type Tiles = (Vec<[f64; 3]>, Vec<([u32; 3], FaceId)>);
+
 /// All faces, with time as height.
-fn whole(skeleton: &Skeleton, figure: &Figure, late: f64) -> Mesh {
+fn whole(skeleton: &Skeleton, figure: &Figure, late: f64) -> Option<Tiles> {
     let definitions = Definitions::new(skeleton, figure);
     let mut vertices: Vec<[f64; 3]> = skeleton
         .nodes()
@@ -202,22 +205,19 @@ fn whole(skeleton: &Skeleton, figure: &Figure, late: f64) -> Mesh {
             vertices[end.index()] = definitions.planes().round(&place);
         }
     }
-    let name = |cycle: &[NodeId]| cycle.iter().map(|n| n.index() as u32).collect();
     let faces = (0..skeleton.faces().len())
         .map(FaceId::new)
         .filter(|&face| !super::plan::is_flat(skeleton, face))
-        .map(|face| MeshFace {
-            boundary: name(skeleton.boundary(face)),
-            holes: skeleton.holes(face).map(name).collect(),
-            face: Some(face),
-        })
-        .collect();
-    Mesh { vertices, faces }
+        .map(|face| {
+            let rings = std::iter::once(skeleton.boundary(face)).chain(skeleton.holes(face));
+            (face, rings)
+        });
+    tiled(vertices, faces)
 }
 
 /// Cuts triangles by a window.
 struct Cutter<'a> {
-    mesh: &'a Mesh,
+    vertices: &'a [[f64; 3]],
     window: Window,
     /// The numbers of the mesh's vertices in the terrain.
     names: Vec<u32>,
@@ -230,7 +230,7 @@ struct Cutter<'a> {
 
 impl Cutter<'_> {
     fn point(&self, v: u32) -> [f64; 2] {
-        let [x, y, _] = self.mesh.vertices[v as usize];
+        let [x, y, _] = self.vertices[v as usize];
         [x, y]
     }
 
@@ -241,16 +241,12 @@ impl Cutter<'_> {
 
     fn keep(&mut self, v: u32) -> u32 {
         if self.names[v as usize] == u32::MAX {
-            self.names[v as usize] = self.create(self.mesh.vertices[v as usize]);
+            self.names[v as usize] = self.create(self.vertices[v as usize]);
         }
         self.names[v as usize]
     }
 
-    fn triangle(&mut self, face: &MeshFace) {
-        let (&[a, b, c], Some(id)) = (face.boundary.as_slice(), face.face) else {
-            return;
-        };
-        let corners = [a, b, c];
+    fn triangle(&mut self, corners: [u32; 3], id: FaceId) {
         let points = corners.map(|v| self.point(v));
         let (min, max) = (self.window.min(), self.window.max());
         let is_beside = (0..2)
@@ -312,7 +308,7 @@ impl Cutter<'_> {
             if let Some(&known) = self.crossings.get(&(a, b, goes_out)) {
                 return known;
             }
-            let [u, v] = [a, b].map(|v| self.mesh.vertices[v as usize]);
+            let [u, v] = [a, b].map(|v| self.vertices[v as usize]);
             let at = |k: usize| (v[k] - u[k]).mul_add(parameter, u[k]);
             let vertex = [at(0), at(1), at(2)];
             let (min, max) = (self.window.min(), self.window.max());
@@ -394,7 +390,7 @@ impl Cutter<'_> {
             return known;
         }
         let [x, y] = self.window.corners()[corner];
-        let [p, q, r] = triangle.map(|v| self.mesh.vertices[v as usize]);
+        let [p, q, r] = triangle.map(|v| self.vertices[v as usize]);
         let cross = |a: [f64; 3], b: [f64; 3]| (a[0] - x) * (b[1] - y) - (b[0] - x) * (a[1] - y);
         let [u, v, w] = [cross(q, r), cross(r, p), cross(p, q)];
         let time = (u * p[2] + v * q[2] + w * r[2]) / (u + v + w);

@@ -22,6 +22,9 @@ pub enum InvalidWindow {
     /// The skeleton covers nothing of it.
     #[error("the window from ({0}, {1}) to ({2}, {3}) misses the data")]
     MissesData(f64, f64, f64, f64),
+    /// The rounded corners of a face bound no area that could be cut into triangles.
+    #[error("rounding to 64 bits leaves no area of a face")]
+    Rounding,
 }
 
 impl Window {

@@ -1,95 +1,109 @@
-//! Triangles from one closed boundary, by cutting off one ear after the other.
+//! Triangles from one small boundary, by cutting off one ear after the other.
 //!
-//! Whatever the coordinates, n corners give n - 2 triangles, each edge of the boundary is in
-//! one of them, and each other edge in two: so what was closed stays closed. Coordinates only
-//! choose between such results. In a simple polygon there always is an ear of positive area
-//! (Meisters 1975); rounded coordinates may leave a sliver without one, which is then cut
-//! as well as possible.
+//! Every ear has a positive area, exactly, and covers no other corner. A simple polygon always
+//! has one (Meisters 1975); a boundary that rounding has made cross itself may run out of them, and
+//! is refused.
 
-use robust::{Coord, orient2d};
-
-/// How good an ear is: better ones are larger.
-#[derive(Clone, Copy, PartialEq, PartialOrd)]
-struct Worth {
-    /// 3: a proper ear. 2: it overlaps another corner. 1: flat. 0: folded over.
-    rank: u8,
-    /// Area over the squares of its sides: how far from a needle it is.
-    roundness: f64,
-}
+use super::plane::orientation;
 
 /// Boundaries with more corners take the first proper ear instead of the best one.
-const CHOOSY: usize = 64;
+const CHOOSY: usize = 12;
 
-fn orientation(a: [f64; 2], b: [f64; 2], c: [f64; 2]) -> f64 {
-    let [a, b, c] = [a, b, c].map(|[x, y]| Coord { x, y });
-    orient2d(a, b, c)
-}
-
-/// Triangulates a boundary that is counterclockwise.
-pub(super) fn cut(boundary: &[u32], point: &impl Fn(u32) -> [f64; 2]) -> Vec<[u32; 3]> {
-    let mut ring = boundary.to_vec();
-    let mut triangles = Vec::with_capacity(ring.len().saturating_sub(2));
+/// Triangulates a boundary that is counterclockwise, and appends the triangles. If that cannot be
+/// done, appends nothing and says so.
+pub(super) fn cut(
+    boundary: &[u32],
+    point: &impl Fn(u32) -> [f64; 2],
+    triangles: &mut Vec<[u32; 3]>,
+) -> bool {
+    if let &[a, b, c] = boundary {
+        let is_fine = orientation(point(a), point(b), point(c)) > 0.0;
+        if is_fine {
+            triangles.push([a, b, c]);
+        }
+        return is_fine;
+    }
+    if let &[a, b, c, d] = boundary {
+        return quadrilateral([a, b, c, d], point, triangles);
+    }
+    let before = triangles.len();
+    let mut ring: Vec<(u32, [f64; 2])> = boundary.iter().map(|&v| (v, point(v))).collect();
     let mut from = 0;
     while ring.len() > 3 {
         let n = ring.len();
-        let mut best = (
-            Worth {
-                rank: 0,
-                roundness: f64::NEG_INFINITY,
-            },
-            0,
-        );
+        let mut best: Option<(f64, usize)> = None;
         for step in 0..n {
             let k = (from + step) % n;
-            let worth = worth(&ring, k, point);
-            if worth > best.0 {
-                best = (worth, k);
+            let Some(roundness) = roundness(&ring, k) else {
+                continue;
+            };
+            if best.is_none_or(|(other, _)| roundness > other) {
+                best = Some((roundness, k));
             }
-            if worth.rank == 3 && n > CHOOSY {
+            if n > CHOOSY {
                 break;
             }
         }
-        let k = best.1;
-        triangles.push([ring[(k + n - 1) % n], ring[k], ring[(k + 1) % n]]);
+        let Some((_, k)) = best else {
+            triangles.truncate(before);
+            return false;
+        };
+        triangles.push([ring[(k + n - 1) % n].0, ring[k].0, ring[(k + 1) % n].0]);
         ring.remove(k);
         // The next one far from this one, lest all triangles share a corner.
         from = (k + 1) % (n - 1);
     }
-    if let [a, b, c] = ring[..] {
-        triangles.push([a, b, c]);
+    let is_fine = ring.len() == 3 && orientation(ring[0].1, ring[1].1, ring[2].1) > 0.0;
+    if is_fine {
+        triangles.push([ring[0].0, ring[1].0, ring[2].0]);
+    } else {
+        triangles.truncate(before);
     }
-    triangles
+    is_fine
 }
 
-fn worth(ring: &[u32], k: usize, point: &impl Fn(u32) -> [f64; 2]) -> Worth {
+/// The diagonal that leaves two triangles of positive area; if both do, the shorter one.
+fn quadrilateral(
+    [a, b, c, d]: [u32; 4],
+    point: &impl Fn(u32) -> [f64; 2],
+    triangles: &mut Vec<[u32; 3]>,
+) -> bool {
+    let [p, q, r, s] = [a, b, c, d].map(point);
+    let by_ac = orientation(p, q, r) > 0.0 && orientation(p, r, s) > 0.0;
+    let by_bd = orientation(q, r, s) > 0.0 && orientation(q, s, p) > 0.0;
+    if by_ac && !(by_bd && square(q, s) < square(p, r)) {
+        triangles.extend([[a, b, c], [a, c, d]]);
+    } else if by_bd {
+        triangles.extend([[b, c, d], [b, d, a]]);
+    }
+    by_ac || by_bd
+}
+
+fn square(p: [f64; 2], q: [f64; 2]) -> f64 {
+    (p[0] - q[0]) * (p[0] - q[0]) + (p[1] - q[1]) * (p[1] - q[1])
+}
+
+/// Area over the squares of the sides, which is how far from a needle the ear at a corner is;
+/// none if it is no ear.
+fn roundness(ring: &[(u32, [f64; 2])], k: usize) -> Option<f64> {
     let n = ring.len();
     let corners = [(k + n - 1) % n, k, (k + 1) % n];
-    let [a, b, c] = corners.map(|i| point(ring[i]));
+    let [a, b, c] = corners.map(|i| ring[i].1);
     let area = orientation(a, b, c);
-    let squares: f64 = [(a, b), (b, c), (c, a)]
-        .iter()
-        .map(|(p, q)| (p[0] - q[0]) * (p[0] - q[0]) + (p[1] - q[1]) * (p[1] - q[1]))
-        .sum();
-    let roundness = if squares > 0.0 { area / squares } else { 0.0 };
     if area <= 0.0 {
-        return Worth {
-            rank: u8::from(area >= 0.0),
-            roundness,
-        };
+        return None;
     }
+    let low = [0, 1].map(|i| a[i].min(b[i]).min(c[i]));
+    let high = [0, 1].map(|i| a[i].max(b[i]).max(c[i]));
     let covers = |p: [f64; 2]| {
-        [a, b, c]
-            .iter()
-            .all(|q| q.map(f64::to_bits) != p.map(f64::to_bits))
+        (0..2).all(|i| low[i] <= p[i] && p[i] <= high[i])
+            && [a, b, c]
+                .iter()
+                .all(|q| q.map(f64::to_bits) != p.map(f64::to_bits))
             && orientation(a, b, p) >= 0.0
             && orientation(b, c, p) >= 0.0
             && orientation(c, a, p) >= 0.0
     };
-    let covered = (0..n)
-        .filter(|i| !corners.contains(i))
-        .any(|i| covers(point(ring[i])));
-    Worth {
-        rank: if covered { 2 } else { 3 },
-        roundness,
-    }
+    let is_covering = (0..n).any(|i| !corners.contains(&i) && covers(ring[i].1));
+    (!is_covering).then(|| area / (square(a, b) + square(b, c) + square(c, a)))
 }

@@ -67,11 +67,28 @@ fn points(value: &Value) -> Vec<[f64; 2]> {
         .collect()
 }
 
+fn folder() -> PathBuf {
+    let beside = concat!(env!("CARGO_MANIFEST_DIR"), "/../../../shared/data");
+    std::env::var_os("HIPLINE_DATA").map_or_else(|| beside.into(), PathBuf::from)
+}
+
+/// The names of all files of the data, sorted; none where they are not there.
+pub fn stems() -> Vec<String> {
+    let Ok(entries) = std::fs::read_dir(folder()) else {
+        return Vec::new();
+    };
+    let names = entries.map(|entry| entry.expect("an entry").file_name());
+    let mut stems: Vec<String> = names
+        .filter_map(|name| Some(name.to_str()?.strip_suffix(".geojson")?.to_owned()))
+        .collect();
+    stems.sort();
+    stems
+}
+
 /// The valid polygons with at most so many vertices, by name, of some files; nothing where
 /// the data are not there. They lie beside the repository, or where `HIPLINE_DATA` says.
 pub fn polygons(stems: &[&str], limit: usize) -> Vec<(String, Figure, f64)> {
-    let beside = concat!(env!("CARGO_MANIFEST_DIR"), "/../../../shared/data");
-    let folder = std::env::var_os("HIPLINE_DATA").map_or_else(|| beside.into(), PathBuf::from);
+    let folder = folder();
     if !folder.is_dir() {
         println!("skipped: no shared/data beside the repository");
         return Vec::new();
@@ -82,7 +99,9 @@ pub fn polygons(stems: &[&str], limit: usize) -> Vec<(String, Figure, f64)> {
         let collection: Value = serde_json::from_str(&text).expect("JSON");
         for feature in collection["features"].as_array().expect("features") {
             let geometry = &feature["geometry"];
-            let coordinates = geometry["coordinates"].as_array().expect("coordinates");
+            let Some(coordinates) = geometry["coordinates"].as_array() else {
+                continue;
+            };
             let parts: Vec<&Vec<Value>> = match geometry["type"].as_str() {
                 Some("Polygon") => vec![coordinates],
                 Some("MultiPolygon") => coordinates
@@ -91,6 +110,18 @@ pub fn polygons(stems: &[&str], limit: usize) -> Vec<(String, Figure, f64)> {
                     .collect(),
                 _ => continue,
             };
+            // Not even looked at, if there are too many.
+            let ring_size = |ring: &Value| ring.as_array().map_or(0, Vec::len).saturating_sub(1);
+            if parts
+                .iter()
+                .copied()
+                .flatten()
+                .map(ring_size)
+                .sum::<usize>()
+                > limit
+            {
+                continue;
+            }
             let mut builder = FigureBuilder::new();
             let mut size = 0.0;
             for part in parts {
