@@ -6,7 +6,6 @@ use hipline::Options;
 
 use crate::agreement::compare;
 use crate::case::Case;
-use crate::generate::small;
 use crate::reduce::reduce;
 use crate::reference::{Graph, reference};
 
@@ -41,13 +40,24 @@ pub fn failure(case: &Case) -> Option<String> {
         .map(|difference| difference.to_string())
 }
 
-/// Tries the small cases of some seeds; for each failure, up to `most`, the smallest case that
+/// Tries the cases of some seeds; for each failure, up to `most`, the smallest case that
 /// still fails, and how.
-pub fn hunt(seeds: impl IntoIterator<Item = u64>, most: usize) -> Vec<(Case, String)> {
+pub fn hunt(
+    generate: impl Fn(u64) -> Case,
+    seeds: impl IntoIterator<Item = u64>,
+    most: usize,
+) -> Vec<(Case, String)> {
     let mut found = Vec::new();
     for seed in seeds {
-        let case = small(seed);
-        if failure(&case).is_none() {
+        let case = generate(seed);
+        let Some(first) = failure(&case) else {
+            continue;
+        };
+        if std::env::var_os("HIPLINE_WHOLE").is_some() {
+            found.push((case, first));
+            if found.len() >= most {
+                break;
+            }
             continue;
         }
         let smallest = reduce(&case, |case| failure(case).is_some());
