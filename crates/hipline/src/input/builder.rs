@@ -1,7 +1,8 @@
 //! From polygons, polylines and graphs to a checked figure.
 
 use super::{
-    Change, Figure, Flaw, InvalidFigure, change::Changes, crossing, gather, nesting, range::Scale,
+    Change, Figure, Flaw, InvalidFigure, Place, change::Changes, crossing, gather, height,
+    height::Heights, nesting, range::Scale,
     triangulate,
 };
 
@@ -34,6 +35,7 @@ use super::{
 pub struct FigureBuilder {
     parts: Vec<Part>,
     changes: Vec<Change>,
+    heights: Vec<(Place, f64)>,
 }
 
 /// What one call to the builder added.
@@ -148,6 +150,18 @@ impl FigureBuilder {
         self.changes.push(change);
     }
 
+    /// Gives a vertex a height: zero or more, in units of time. Vertices without one are at
+    /// height zero.
+    ///
+    /// An edge whose ends are at one height starts to move at that time (and stands still before).
+    /// An edge whose ends are at different heights has a tilted eave: its facet rises from
+    /// there, with the slope 1 / speed, which must be steeper than the eave itself. `docs/weights.md`
+    /// tells more; [`Skeleton::check_heights`](crate::Skeleton::check_heights) whether
+    /// all of the figure was reached at its own heights.
+    pub fn elevate(&mut self, vertex: Place, height: f64) {
+        self.heights.push((vertex, height));
+    }
+
     /// Checks everything and builds the figure.
     ///
     /// # Complexity
@@ -159,7 +173,8 @@ impl FigureBuilder {
     pub fn build(self) -> Result<Figure, InvalidFigure> {
         let mut flaws = Vec::new();
         let changes = Changes::new(&self.changes, &self.parts, &mut flaws);
-        let mut gathered = gather::gather(&self.parts, &changes);
+        let heights = Heights::new(&self.heights, &self.parts, &mut flaws);
+        let mut gathered = gather::gather(&self.parts, &changes, heights);
         flaws.append(&mut gathered.flaws);
         if gathered.edges.is_empty() {
             if flaws.is_empty() {
@@ -176,6 +191,7 @@ impl FigureBuilder {
         };
         drop(self.parts);
         let vertices = gathered.vertices;
+        let heights = gathered.heights.finish(vertices.len());
         let mut edges = gathered.edges;
         let triangulation = triangulate::triangulate(&vertices, &mut edges, scale);
         let mut mesh = match triangulation {
@@ -186,6 +202,8 @@ impl FigureBuilder {
             }
         };
         nesting::fill(&vertices, &edges, &mut mesh, &mut flaws);
+        let changes = changes.of_edges(&edges);
+        height::check(&vertices, &edges, &heights, &changes, &mut flaws);
         if !flaws.is_empty() {
             return Err(InvalidFigure { flaws });
         }
@@ -202,7 +220,8 @@ impl FigureBuilder {
         Ok(Figure {
             terminals: degrees.iter().filter(|&&degree| degree == 1).count(),
             has_polygon: edges.iter().any(|edge| edge.on_ring),
-            changes: changes.of_edges(&edges),
+            changes,
+            heights,
             vertices,
             edges,
             mesh,

@@ -14,6 +14,8 @@ pub struct Figure {
     pub(super) terminals: usize,
     pub(super) has_polygon: bool,
     pub(super) changes: Vec<SpeedChange>,
+    /// By vertex; none if all are zero.
+    pub(super) heights: Vec<f64>,
     pub(super) mesh: Mesh,
 }
 
@@ -92,6 +94,23 @@ impl Figure {
         let from = self.changes.partition_point(|c| side(c) < (edge, right));
         let count = self.changes[from..].partition_point(|c| side(c) == (edge, right));
         &self.changes[from..from + count]
+    }
+
+    /// The height of a vertex: the time before which no wavefront edge starts there.
+    #[must_use]
+    pub fn height(&self, vertex: VertexId) -> f64 {
+        self.heights.get(vertex.index()).map_or(0.0, |&height| height)
+    }
+
+    /// Whether a vertex has a height other than zero.
+    pub(crate) const fn has_heights(&self) -> bool {
+        !self.heights.is_empty()
+    }
+
+    /// Whether an end of an edge has a height other than zero.
+    pub(crate) fn has_height(&self, edge: EdgeId) -> bool {
+        let edge = &self.edges[edge.index()];
+        [edge.from, edge.to].iter().any(|&v| self.height(v) > 0.0)
     }
 
     /// Whether there is a polygon in it, so that "interior" means something.

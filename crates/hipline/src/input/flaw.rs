@@ -130,6 +130,58 @@ pub enum Flaw {
         /// The time.
         time: f64,
     },
+    /// A height names a vertex that is not there.
+    #[error("a height names {}, which is not there", Vertex(.at))]
+    NoSuchVertex {
+        /// The name it has for a vertex.
+        at: Place,
+    },
+    /// A height that is negative or not finite.
+    #[error("{} has the height {height}; a height must be finite and not negative", Vertex(.at))]
+    BadHeight {
+        /// The vertex.
+        at: Place,
+        /// Its height.
+        height: f64,
+    },
+    /// One point has two heights.
+    #[error("{} has the height {}, {} at the same point has {}", Vertex(.first), .heights[0], Vertex(.second), .heights[1])]
+    TwoHeights {
+        /// A vertex there.
+        first: Place,
+        /// Another one there, or the same again.
+        second: Place,
+        /// Their heights.
+        heights: [f64; 2],
+    },
+    /// An edge rises as steeply as its facets, or more.
+    #[error(
+        "{} goes from height {} to {}: that is not less steep than its facets, which rise by one in {speed}",
+        Edge(.edge), .heights[0], .heights[1]
+    )]
+    TooSteep {
+        /// The edge.
+        edge: Place,
+        /// The heights of its ends.
+        heights: [f64; 2],
+        /// The larger one of its speeds.
+        speed: f64,
+    },
+    /// An edge changes its speed before it starts to move, or it has a tilted eave and changes its speed
+    /// at all.
+    #[error(
+        "{} changes its speed at the time {time}; with ends at the heights {} and {} {}",
+        Edge(.edge), .heights[0], .heights[1],
+        if .heights[0].to_bits() == .heights[1].to_bits() { "it must start first" } else { "it cannot" }
+    )]
+    ChangeBeforeStart {
+        /// The edge.
+        edge: Place,
+        /// The time.
+        time: f64,
+        /// The heights of its ends.
+        heights: [f64; 2],
+    },
     /// Not one speed for each edge.
     #[error("{} has {needed} edges and {found} speeds", Ring(.at))]
     SpeedCount {

@@ -5,7 +5,7 @@
 
 use std::collections::{HashMap, hash_map::Entry};
 
-use super::{Edge, Flaw, Place, Source, builder::Part, change::Changes};
+use super::{Edge, Flaw, Place, Source, builder::Part, change::Changes, height::Heights};
 use crate::topology::VertexId;
 
 /// Everything in one numbering.
@@ -17,6 +17,8 @@ pub(super) struct Gathered {
     pub edges: Vec<Edge>,
     /// What was wrong so far.
     pub flaws: Vec<Flaw>,
+    /// The heights of vertices.
+    pub heights: Heights,
 }
 
 /// More than this and the 32-bit ids of the triangulation's edges would run out.
@@ -26,8 +28,11 @@ const LIMIT: usize = 1 << 28;
 const NONE: u32 = u32::MAX;
 
 /// Flattens the parts.
-pub(super) fn gather(parts: &[Part], changes: &Changes) -> Gathered {
-    let mut gathered = Gathered::default();
+pub(super) fn gather(parts: &[Part], changes: &Changes, heights: Heights) -> Gathered {
+    let mut gathered = Gathered {
+        heights,
+        ..Gathered::default()
+    };
     let count = parts.iter().map(size).sum();
     if count > LIMIT {
         gathered.flaws.push(Flaw::TooLarge {
@@ -312,8 +317,13 @@ impl Gatherer<'_> {
     fn point(&mut self, at: Place, point: [f64; 2]) -> u32 {
         if point.iter().all(|x| x.is_finite()) {
             // Adding 0.0 turns -0.0 into 0.0 and changes nothing else.
-            self.distinct
-                .id(&mut self.gathered.vertices, point.map(|x| x + 0.0))
+            let id = self
+                .distinct
+                .id(&mut self.gathered.vertices, point.map(|x| x + 0.0));
+            if let Some(flaw) = self.gathered.heights.found(at, id as usize) {
+                self.flaw(flaw);
+            }
+            id
         } else {
             self.flaw(Flaw::NotFinite { at, point });
             NONE

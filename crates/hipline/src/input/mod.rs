@@ -15,6 +15,7 @@ mod crossing;
 mod figure;
 mod flaw;
 mod gather;
+mod height;
 mod mesh;
 mod nesting;
 mod order;

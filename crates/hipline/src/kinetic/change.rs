@@ -13,7 +13,7 @@ use std::{cmp::Ordering, collections::BTreeMap};
 
 use super::{
     Kinetic,
-    wavefront::{End, Trace, Walk, Wave},
+    wavefront::{End, FaceStart, Trace, Walk, Wave},
 };
 use crate::{
     predicates::{Bounds, Moment, PlaneId},
@@ -29,7 +29,7 @@ pub(super) struct Changes {
     /// The moment of the next one.
     next: Option<(Moment, Bounds)>,
     /// The wavefront edges on planes that will give way to others.
-    waves: BTreeMap<PlaneId, Vec<WaveId>>,
+    pub(super) waves: BTreeMap<PlaneId, Vec<WaveId>>,
     /// Terminals that stand still, by their vertices.
     pub(super) closed: Vec<(TraceId, usize)>,
 }
@@ -38,7 +38,8 @@ impl Kinetic<'_> {
     /// A wavefront edge is there; remembers it if its speed will change.
     pub(super) fn register(&mut self, wave: WaveId) {
         let plane = self.front.wave(wave).plane;
-        if !self.planes.phases.is_empty() && self.planes.phases.will_change(plane) {
+        let phases = &self.planes.phases;
+        if !phases.is_empty() && phases.will_change(plane) {
             self.changes.waves.entry(plane).or_default().push(wave);
         }
     }
@@ -104,6 +105,7 @@ impl Kinetic<'_> {
             successor.insert(x, self.carry_on(x, node, &renewed));
         }
         self.open_terminals(time, &successor);
+        self.start_facets(time);
         self.find_next_change();
     }
 
@@ -130,7 +132,11 @@ impl Kinetic<'_> {
             after_up: Walk::Down(start),
             after_down: Walk::Open,
         });
-        let face = self.front.push_face(crease);
+        let face = self.front.push_face(FaceStart {
+            walk: Walk::Down(crease),
+            plane,
+            before: Some(self.front.wave(wave).plane),
+        });
         self.front.waves.push(Wave { plane, face });
         self.register(new);
         (new, crease)
@@ -165,16 +171,54 @@ impl Kinetic<'_> {
     /// Opens the terminals whose edges start to move.
     fn open_terminals(&mut self, time: f64, successor: &BTreeMap<TraceId, TraceId>) {
         for (x, terminal) in std::mem::take(&mut self.changes.closed) {
-            let Some(&now) = successor.get(&x) else {
-                if self.front.trace(x).end == End::Moving {
-                    self.changes.closed.push((x, terminal));
-                }
-                continue;
-            };
             let first = self.terminal_plane(terminal);
-            let plane = self.planes.phases.origin_after(first, time);
-            let plane = plane.expect("a terminal starts to move with its edge");
-            self.open_terminal(now, terminal, plane);
+            let starting = self.planes.phases.origin_after(first, time);
+            let is_there = self.front.trace(x).end == End::Moving;
+            let here = successor.get(&x).copied().or(is_there.then_some(x));
+            match (starting, here) {
+                (None, Some(x)) => self.changes.closed.push((x, terminal)),
+                (None, None) => {}
+                (Some(plane), Some(here)) => {
+                    let new = if here == x { self.restart(x) } else { here };
+                    self.open_terminal(new, terminal, plane);
+                }
+                (Some(plane), None) => {
+                    if let Some(here) = self.arrived_at(terminal) {
+                        self.open_terminal(here, terminal, plane);
+                    }
+                }
+            }
         }
+    }
+
+    /// A vertex that goes on as a new one, between the same wavefront edges.
+    pub(super) fn restart(&mut self, x: TraceId) -> TraceId {
+        let node = if self.now == Moment::Start {
+            self.front.trace(x).born
+        } else {
+            self.node_now(x)
+        };
+        let Trace { inn, out, .. } = *self.front.trace(x);
+        let new = self.replace(x, inn, out, node);
+        self.front.end_moves(x, new);
+        self.front.start_moves(x, new);
+        new
+    }
+
+    /// The vertex between the facets on both sides of a terminal's edge, if they have come
+    /// up to the terminal just now.
+    fn arrived_at(&self, terminal: usize) -> Option<TraceId> {
+        let edge = self.terminals[terminal].edge as u32;
+        let facet = |side: u32| self.planes.phases.plane(PlaneId(2 * edge + side), 1);
+        let facets = [facet(0)?, facet(1)?];
+        let post = self.terminal_plane(terminal);
+        self.batch.fresh.iter().copied().find(|&x| {
+            let trace = self.front.trace(x);
+            trace.end == End::Moving
+                && [trace.inn, trace.out]
+                    .iter()
+                    .all(|&wave| facets.contains(&self.front.wave(wave).plane))
+                && self.planes.lead(&self.now, trace.pair, post).is_zero()
+        })
     }
 }

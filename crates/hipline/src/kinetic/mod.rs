@@ -17,6 +17,7 @@
 //! has an angle of 0 or 180 degrees.
 
 mod change;
+mod eaves;
 mod queue;
 mod resolve;
 mod schedule;

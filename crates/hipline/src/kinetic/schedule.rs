@@ -197,8 +197,9 @@ impl Kinetic<'_> {
                 self.front
                     .trace(tip.trace().expect("wavefront edges are finite"))
             });
+            let turns = self.turns(triple, [start, end]);
             // The length is -(N + D t) times a number of the sign of both turns' product.
-            if let Some(bounds) = self.planes.meeting_if(triple, start.turn * end.turn) {
+            if let Some(bounds) = self.planes.meeting_if(triple, turns) {
                 best = Some(self.earlier(best, (Moment::of_planes(triple), bounds)));
             }
             if count == 1
@@ -215,6 +216,18 @@ impl Kinetic<'_> {
             }
         }
         best
+    }
+
+    /// The product of the turns at both ends of a wavefront edge.
+    fn turns(&self, [before, plane, after]: [PlaneId; 3], ends: [&Trace; 2]) -> Sign {
+        let phases = &self.planes.phases;
+        let [start, end] = ends;
+        // Posts stand between walls on one line, so that they turn another way for each of them.
+        if phases.is_post(before) || phases.is_post(after) {
+            self.planes.turn(before, plane) * self.planes.turn(plane, after)
+        } else {
+            start.turn * end.turn
+        }
     }
 
     /// The earlier one of two collapses of a triangle; the first, if they coincide.

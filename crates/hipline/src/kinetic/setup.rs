@@ -226,7 +226,14 @@ impl<'a> Kinetic<'a> {
             match turn {
                 Sign::Positive => {}
                 Sign::Negative => trace.pair = [j, i],
-                Sign::Zero => self.batch.straight.push(x),
+                Sign::Zero => match self.post_between(inn, out) {
+                    Some(pair) => {
+                        let trace = self.front.trace_mut(x);
+                        trace.pair = pair;
+                        trace.turn = Sign::Negative;
+                    }
+                    None => self.batch.straight.push(x),
+                },
             }
         }
         let tips = self.prepare_terminals();
@@ -235,11 +242,14 @@ impl<'a> Kinetic<'a> {
             self.open_terminal(x, terminal, self.terminal_plane(terminal));
         }
         self.refresh_pairs();
+        self.start_facets(0.0);
+        self.remove_straight_vertices();
         self.batch.dirty.clear();
         self.batch.fresh.clear();
         self.find_next_change();
-        // Terminals that stand still get a triangle later.
-        let n = self.triangulation.len() + self.changes.closed.len();
+        // Terminals that stand still, and facets over tilted eaves, get a triangle later.
+        let eaves = self.planes.phases.eaves().len();
+        let n = self.triangulation.len() + self.changes.closed.len() + eaves;
         self.queue.reset(n);
         self.agenda = Agenda::new(n);
         self.batch.scheduled = vec![0; n];
@@ -361,8 +371,10 @@ impl<'a> Kinetic<'a> {
     fn refresh_pairs(&mut self) {
         for trace in &mut self.front.traces {
             let planes = [trace.inn, trace.out].map(|w| self.front.waves[w.index()].plane);
-            // The pair of a terminal that stands still is no such one.
-            if trace.end == End::Moving && planes[0].0 ^ planes[1].0 != 1 {
+            // The pair of a terminal that stands still is no such one, nor is one with a post.
+            let stands = planes[0].0 ^ planes[1].0 == 1
+                || self.planes.phases.is_post(trace.pair[0]);
+            if trace.end == End::Moving && !stands {
                 let [i, j] = planes;
                 trace.pair = if trace.turn == Sign::Positive {
                     [i, j]

@@ -76,6 +76,17 @@ pub(crate) struct EventNode {
     pub moment: [PlaneId; 3],
 }
 
+/// How a face of a later phase starts.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct FaceStart {
+    /// The first walk of its boundary.
+    pub walk: Walk,
+    /// Its plane.
+    pub plane: PlaneId,
+    /// The plane of the face before, if it starts at a crease of one height.
+    pub before: Option<PlaneId>,
+}
+
 /// Everything that the propagation leaves behind.
 #[derive(Debug, Default)]
 pub(crate) struct Wavefront {
@@ -93,8 +104,8 @@ pub(crate) struct Wavefront {
     joint: Vec<u32>,
     /// The number of faces that start at edges and terminals. The others start at creases.
     pub bases: u32,
-    /// The creases at which faces start, ascending.
-    pub creases: Vec<TraceId>,
+    /// Where the others start, in order.
+    pub starts: Vec<FaceStart>,
     /// The planes of faces of terminals that started late.
     pub late: BTreeMap<u32, PlaneId>,
 }
@@ -136,27 +147,27 @@ impl Wavefront {
         TraceId::new(self.traces.len() - 1)
     }
 
-    /// Adds a face that starts at a crease.
-    pub(super) fn push_face(&mut self, crease: TraceId) -> u32 {
+    /// Adds a face that does not start at an edge or terminal.
+    pub(super) fn push_face(&mut self, start: FaceStart) -> u32 {
         let face = self.after_base.len() as u32;
-        self.creases.push(crease);
+        self.starts.push(start);
         self.after_base.push(Walk::Open);
         self.joint.push(face);
         face
     }
 
+    /// Names the first walk of a face.
+    pub(super) fn start_face_with(&mut self, face: u32, walk: Walk) {
+        self.starts[(face - self.bases) as usize].walk = walk;
+    }
+
     /// The walk along which a face starts, if it is there.
     pub(crate) fn first_walk(&self, face: u32) -> Option<Walk> {
         match face.checked_sub(self.bases) {
-            Some(i) => Some(Walk::Down(self.creases[i as usize])),
+            Some(i) => Some(self.starts[i as usize].walk),
             None if self.after_base[face as usize] == Walk::Open => None,
             None => Some(Walk::Base(face)),
         }
-    }
-
-    /// Whether a trace is a crease: an arc of one height where speeds change.
-    pub(crate) fn is_crease(&self, x: TraceId) -> bool {
-        self.creases.binary_search(&x).is_ok()
     }
 
     /// Adds an event node.

@@ -3,6 +3,7 @@
 //! Invariant: what leaves this module is a sign, an order or a correctly rounded number for
 //! output; [`Bounds`] only ever saves asking.
 
+mod eaves;
 mod expression;
 mod grid;
 mod heading;
@@ -15,6 +16,7 @@ mod root;
 mod speeds;
 mod terminal;
 
+pub(crate) use eaves::Eave;
 pub(crate) use expression::{Corner, Direction};
 pub(crate) use heading::{Course, Heading};
 pub(crate) use moment::{Area, Bounds, Moment, Part};

@@ -9,7 +9,7 @@ use std::cmp::Ordering;
 
 use super::{
     expression::{Corner, Direction, Quadratic, area, difference, lead, meeting, minor},
-    planes::{PlaneId, Planes, Question, Rung},
+    planes::{Plane, PlaneId, Planes, Question, Rung},
     root::{ball_root, dd_root, discriminant, double, exact_root, root_bounds, wide_root},
 };
 
@@ -483,19 +483,19 @@ impl Curve for Heading {
     }
 }
 
-/// How far one of two parallel planes is ahead of the other at time zero, or the difference
-/// of their speeds.
-struct Apart(PlaneId, PlaneId, bool);
+/// A minor of the coefficients of two planes, of two columns of `a b c s`; zero for all
+/// columns if and only if the planes are one.
+struct Minor(PlaneId, PlaneId, [usize; 2]);
 
-impl Curve for Apart {
+impl Curve for Minor {
     const LINEAR: bool = true;
     fn coefficients<T: Rung>(&self, planes: &Planes) -> Option<Quadratic<T>> {
-        let (i, j) = (T::plane(planes, self.0), T::plane(planes, self.1));
-        let value = if self.2 {
-            i.s.minus(&j.s)
-        } else {
-            i.c.minus(&j.c)
-        };
+        let [i, j] = [self.0, self.1].map(|id| {
+            let Plane { a, b, c, s } = T::plane(planes, id);
+            [a, b, c, s]
+        });
+        let [p, q] = self.2;
+        let value = i[p].times(&j[q]).minus(&j[p].times(&i[q]));
         Some([value, T::zero(), T::zero()])
     }
 }
@@ -503,11 +503,22 @@ impl Curve for Apart {
 impl Planes {
     /// Whether two planes, one of them of a later phase, are the same.
     pub(super) fn are_one(&self, i: PlaneId, j: PlaneId) -> bool {
-        // Normals are coprime integers, so parallel ones of one direction are equal.
-        self.turn(i, j).is_zero()
+        let vanishes = |columns| self.sign_of(&Minor(i, j, columns)).is_zero();
+        [[0, 1], [0, 2], [1, 2], [0, 3], [1, 3]].into_iter().all(vanishes)
             && self.same_direction(i, j)
-            && self.sign_of(&Apart(i, j, true)).is_zero()
-            && self.sign_of(&Apart(i, j, false)).is_zero()
+    }
+
+    /// Whether a wavefront edge of length zero, between two others, starts to grow.
+    pub(crate) fn grows(&self, [before, plane, after]: [PlaneId; 3]) -> bool {
+        let turns = [self.turn(before, plane), self.turn(plane, after)];
+        // On one plane with its neighbour, it goes on as one with it.
+        for (turn, other) in turns.into_iter().zip([before, after]) {
+            if turn.is_zero() {
+                return self.same_direction(plane, other)
+                    && self.compare_speeds(plane, other).is_eq();
+            }
+        }
+        self.sign_of(&Closing([before, plane, after])) == -(turns[0] * turns[1])
     }
 
     /// Whether a wavefront edge moves in a direction (zero: across it).

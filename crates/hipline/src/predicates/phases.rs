@@ -11,8 +11,8 @@ use dashu_int::{IBig, ops::BitTest};
 use hipline_num::f64_to_parts;
 use std::cmp::Ordering;
 
-use super::{PlaneId, Terminal};
-use crate::input::Figure;
+use super::{PlaneId, Terminal, eaves::Eave};
+use crate::{input::Figure, topology::EdgeId};
 
 /// `mantissa * 2^exponent`.
 type Dyadic = (IBig, i32);
@@ -39,6 +39,8 @@ struct Course {
     planes: Vec<PlaneId>,
     /// From when on, and how fast it moves then; the first one at time zero.
     speeds: Vec<[f64; 2]>,
+    /// Whether its second phase starts at one end, as its eave is tilted.
+    tilted: bool,
 }
 
 /// The phases of the wavefront edges whose speed changes.
@@ -52,24 +54,20 @@ pub(crate) struct Phases {
     /// The plane of the second and later phases, in order, from number `first` of lines on: that of the
     /// first phase, and omega.
     later: Vec<(PlaneId, Dyadic)>,
+    /// The tilted eaves, by edge, left side first.
+    eaves: Vec<Eave>,
 }
 
 impl Phases {
     /// The phases of a figure; the lines of `lines` are those of the edges and terminals.
     pub(super) fn new(figure: &Figure, terminals: &[Terminal], lines: usize) -> Self {
         let mut phases = Self::default();
-        if figure.changes().is_empty() {
+        if figure.changes().is_empty() && !figure.has_heights() {
             return phases;
         }
         let edges = figure.edges();
-        for changes in figure
-            .changes()
-            .chunk_by(|a, b| (a.edge, a.right) == (b.edge, b.right))
-        {
-            let (e, right) = (changes[0].edge.index(), changes[0].right);
-            let mut speeds = vec![[0.0, edges[e].speeds[usize::from(right)]]];
-            speeds.extend(changes.iter().map(|change| [change.time, change.speed]));
-            phases.add_course(PlaneId(2 * e as u32 + u32::from(right)), speeds);
+        for (e, right) in (0..edges.len()).flat_map(|e| [(e, false), (e, true)]) {
+            phases.add_edge(figure, EdgeId::new(e), right);
         }
         for (i, terminal) in terminals.iter().enumerate() {
             let speeds = terminal.speeds(figure);
@@ -78,7 +76,7 @@ impl Phases {
             }
         }
         let mut line = lines;
-        for course in &mut phases.courses {
+        for course in phases.courses.iter_mut().filter(|course| !course.tilted) {
             let mut omega: Dyadic = (IBig::ZERO, 0);
             for pair in course.speeds.windows(2) {
                 let [time, before, after] = [pair[1][0], pair[0][1], pair[1][1]].map(f64_to_parts);
@@ -89,6 +87,17 @@ impl Phases {
                 phases.later.push((first, omega.clone()));
                 line += 1;
             }
+        }
+        let mut eaves = phases.eaves.iter_mut();
+        for course in phases.courses.iter_mut().filter(|course| course.tilted) {
+            let eave = eaves.next().expect("each tilted course is an eave's");
+            eave.facet = PlaneId(2 * line as u32);
+            course.planes.push(eave.facet);
+            line += 1;
+        }
+        for eave in &mut phases.eaves {
+            eave.posts = [0, 2].map(|k| PlaneId(2 * line as u32 + k));
+            line += 2;
         }
         for (c, course) in phases.courses.iter().enumerate() {
             let planes = course.planes.iter().enumerate();
@@ -101,6 +110,7 @@ impl Phases {
             .courses
             .iter()
             .flat_map(|course| course.speeds[1..].iter().map(|s| s[0]))
+            .filter(|&time| time > 0.0)
             .collect();
         times.sort_by(f64::total_cmp);
         times.dedup_by_key(|time| time.to_bits());
@@ -111,10 +121,51 @@ impl Phases {
         phases
     }
 
+    /// What one side of an edge does over time, if it does more than moving.
+    fn add_edge(&mut self, figure: &Figure, e: EdgeId, right: bool) {
+        let edge = &figure.edges()[e.index()];
+        let plane = PlaneId(2 * e.index() as u32 + u32::from(right));
+        let speed = edge.speeds[usize::from(right)];
+        let heights = [edge.from, edge.to].map(|v| figure.height(v));
+        let changes = figure.changes_of(e, right);
+        let changes = changes.iter().map(|change| [change.time, change.speed]);
+        if !figure.has_height(e) {
+            if changes.len() > 0 {
+                self.add_course(plane, std::iter::once([0.0, speed]).chain(changes).collect());
+            }
+        } else if speed <= 0.0 {
+            // It stands still for ever, or until it changes its speed.
+            if changes.len() > 0 {
+                self.add_course(plane, std::iter::once([0.0, 0.0]).chain(changes).collect());
+            }
+        } else if heights[0].to_bits() == heights[1].to_bits() {
+            let start = [[0.0, 0.0], [heights[0], speed]];
+            self.add_course(plane, start.into_iter().chain(changes).collect());
+        } else {
+            let [from, to] = if right { [heights[1], heights[0]] } else { heights };
+            let low = from.min(to);
+            self.courses.push(Course {
+                planes: vec![plane],
+                speeds: vec![[0.0, 0.0], [low, speed]],
+                tilted: true,
+            });
+            self.eaves.push(Eave {
+                edge: e,
+                wall: plane,
+                facet: plane,
+                rises: from < to,
+                from: low,
+                to: from.max(to),
+                posts: [plane; 2],
+            });
+        }
+    }
+
     fn add_course(&mut self, plane: PlaneId, speeds: Vec<[f64; 2]>) {
         self.courses.push(Course {
             planes: vec![plane],
             speeds,
+            tilted: false,
         });
     }
 
@@ -139,6 +190,7 @@ impl Phases {
         let speeds = |course: &Course| course.speeds[1..].to_vec();
         self.courses
             .iter()
+            .filter(|course| !course.tilted)
             .flat_map(move |course| speeds(course).into_iter().map(|s| s[1]))
     }
 
@@ -175,6 +227,9 @@ impl Phases {
     pub(crate) fn after(&self, plane: PlaneId, time: f64) -> Option<PlaneId> {
         let (course, phase) = self.find(plane)?;
         let [from, _] = *course.speeds.get(phase + 1)?;
+        if course.tilted {
+            return None;
+        }
         (from.to_bits() == time.to_bits()).then(|| course.planes[phase + 1])
     }
 
@@ -184,6 +239,36 @@ impl Phases {
         let starts = |speed: &[f64; 2]| speed[0].to_bits() == time.to_bits();
         let phase = course.speeds.iter().skip(1).position(starts)? + 1;
         Some(course.planes[phase])
+    }
+
+    /// All tilted eaves.
+    pub(crate) fn eaves(&self) -> &[Eave] {
+        &self.eaves
+    }
+
+    /// The tilted eave whose wall is the given plane.
+    pub(crate) fn eave_of(&self, wall: PlaneId) -> Option<&Eave> {
+        let at = self.eaves.binary_search_by_key(&wall, |eave| eave.wall).ok()?;
+        Some(&self.eaves[at])
+    }
+
+    /// Whether a plane stands across the end of a tilted eave.
+    pub(crate) fn is_post(&self, plane: PlaneId) -> bool {
+        let first = self.eaves.first().map(|eave| eave.posts[0].0);
+        let last = self.eaves.last().map(|eave| eave.posts[1].0 + 1);
+        first.is_some_and(|first| plane.0 >= first) && last.is_some_and(|last| plane.0 <= last)
+    }
+
+    /// Exponents that the unit of coordinates must not exceed, and that which they stay below, for the
+    /// heights of tilted eaves to be integers over the unit of time.
+    pub(super) fn height_range(&self, speed_unit: i32) -> Option<(i32, i32)> {
+        let heights = self.eaves.iter().flat_map(|eave| [eave.from, eave.to]);
+        let used: Vec<f64> = heights.filter(|&h| h > 0.0).collect();
+        if used.is_empty() {
+            return None;
+        }
+        let (low, bits) = super::grid::common_unit(used.into_iter());
+        Some((low + speed_unit, low + speed_unit + bits))
     }
 
     /// Whether the plane has a plane after it.

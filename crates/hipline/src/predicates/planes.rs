@@ -12,8 +12,10 @@ use std::cell::Cell;
 
 use super::grid::{common_unit, gcd, scaled, scaled_small};
 use super::phases::{self, Phases};
+use super::speeds;
 use super::{
     Terminal,
+    eaves::{Tilted, tabled},
     expression::Quadratic,
     root::{ball_root, dd_root, wide_root},
 };
@@ -56,6 +58,8 @@ pub(super) enum Line {
     Big(Box<[IBig; 3]>),
     /// No line: the plane of one height, `0 = c + s t`.
     Level(IBig),
+    /// No line: the plane of a facet over a tilted eave. Its tables hold `[a, b, c, s]`.
+    Tilted(Box<Tilted>),
 }
 
 impl Line {
@@ -64,6 +68,7 @@ impl Line {
             Self::Small { a, b, c } => [IBig::from(*a), IBig::from(*b), IBig::from(*c)],
             Self::Big(abc) => (**abc).clone(),
             Self::Level(c) => [IBig::ZERO, IBig::ZERO, c.clone()],
+            Self::Tilted(_) => unreachable!("tilted planes have no line"),
         }
     }
 
@@ -123,10 +128,17 @@ pub(crate) trait Rung: Number {
     fn time(planes: &Planes, time: f64) -> [Self; 2];
     /// Encloses the root of `g0 + g1 t + g2 t^2` at which it falls; only approximations can.
     fn falling_root(g: &Quadratic<Self>) -> Option<Self>;
+    /// The plane of a facet over a tilted eave, which is line number `line`.
+    fn tilted(planes: &Planes, line: usize, tilted: &Tilted) -> Plane<Self>;
 
     /// One plane.
     fn plane(planes: &Planes, id: PlaneId) -> Plane<Self> {
         let line = (id.0 >> 1) as usize;
+        if line >= planes.first_later
+            && let Line::Tilted(tilted) = &planes.lines[line]
+        {
+            return Self::tilted(planes, line, tilted);
+        }
         let [a, b, c, length] = Self::line(planes, line);
         let s = match &planes.speeds {
             Some(speeds) => {
@@ -158,6 +170,9 @@ impl Rung for Ball {
     #[inline]
     fn line(planes: &Planes, line: usize) -> [Self; 4] {
         planes.balls[line]
+    }
+    fn tilted(planes: &Planes, line: usize, _: &Tilted) -> Plane<Self> {
+        tabled(&planes.balls[line])
     }
     fn time(planes: &Planes, time: f64) -> [Self; 2] {
         [
@@ -192,6 +207,9 @@ impl Rung for BallDd {
     fn line(planes: &Planes, line: usize) -> [Self; 4] {
         planes.doubles[line]
     }
+    fn tilted(planes: &Planes, line: usize, _: &Tilted) -> Plane<Self> {
+        tabled(&planes.doubles[line])
+    }
     fn integer(value: &IBig, shift: i32) -> Self {
         let ball = Self::from_int(value);
         if shift == 0 || *value == IBig::ZERO {
@@ -214,6 +232,9 @@ pub(super) fn exact_time(planes: &Planes, time: f64) -> [IBig; 2] {
 }
 
 impl Rung for Wide {
+    fn tilted(_: &Planes, _: usize, tilted: &Tilted) -> Plane<Self> {
+        tilted.wide(Self::sqrt_of)
+    }
     fn falling_root(g: &Quadratic<Self>) -> Option<Self> {
         wide_root::falling_root(g)
     }
@@ -237,6 +258,9 @@ impl Rung for Wide {
 }
 
 impl Rung for Surd {
+    fn tilted(_: &Planes, _: usize, tilted: &Tilted) -> Plane<Self> {
+        tilted.wide(Self::sqrt_of)
+    }
     fn time(planes: &Planes, time: f64) -> [Self; 2] {
         exact_time(planes, time).map(Self::from_int)
     }
@@ -311,7 +335,11 @@ impl Planes {
         let lines = figure.edges().len() + terminals.len();
         let phases = Phases::new(figure, terminals, lines);
         let (mut unit, mut bits) = common_unit(vertices.iter().flatten().copied());
-        if let Some((low, high)) = phases::range(phases.later()) {
+        let speed_unit = speeds::unit(figure, terminals, &phases);
+        for (low, high) in [phases::range(phases.later()), phases.height_range(speed_unit.0)]
+            .into_iter()
+            .flatten()
+        {
             let high = high.max(unit + bits);
             unit = unit.min(low);
             bits = high - unit;
@@ -385,8 +413,7 @@ impl Planes {
                 planes.push_big(&q[0] - &p[0], &q[1] - &p[1], q);
             }
         }
-        planes.add_later_phases();
-        planes.set_speeds(figure, terminals);
+        planes.set_speeds(figure, terminals, speed_unit);
         planes
     }
 
@@ -416,7 +443,7 @@ impl Planes {
         self.lines.push(Line::Small { a, b, c });
     }
 
-    fn push_big(&mut self, a: IBig, b: IBig, point: &[IBig; 2]) {
+    pub(super) fn push_big(&mut self, a: IBig, b: IBig, point: &[IBig; 2]) {
         let g = IBig::from((&a).gcd(&b));
         let (a, b) = (a / &g, b / &g);
         let c = &a * &point[0] + &b * &point[1];

@@ -6,10 +6,43 @@ use hipline_num::{BallDd, Number};
 use super::{
     Terminal,
     grid::{common_unit, scaled},
-    phases,
+    phases::{self, Phases},
     planes::{Line, PlaneId, Planes, Rung, Speeds, exact_time, nearest},
 };
-use crate::input::Figure;
+use crate::{
+    input::Figure,
+    topology::{EdgeId, VertexId},
+};
+
+/// The speeds of all planes of edges and terminals, of later phases and of facets over tilted eaves.
+fn all<'a>(
+    figure: &'a Figure,
+    terminals: &'a [Terminal],
+    phases: &'a Phases,
+) -> impl Iterator<Item = f64> + 'a {
+    let edges = figure.edges().iter().enumerate().flat_map(|(e, edge)| {
+        if figure.has_height(EdgeId::new(e)) {
+            [0.0; 2]
+        } else {
+            edge.speeds
+        }
+    });
+    let terminals = terminals.iter().flat_map(|terminal| {
+        let high = figure.height(VertexId::new(terminal.tip)) > 0.0;
+        [if high { 0.0 } else { terminal.speed }; 2]
+    });
+    let later = phases.later_speeds().flat_map(|w| [w, w]);
+    let facets = phases.eaves().iter().flat_map(|eave| {
+        let speed = figure.edges()[eave.edge.index()].speeds[(eave.wall.0 & 1) as usize];
+        [speed, speed]
+    });
+    edges.chain(terminals).chain(later).chain(facets)
+}
+
+/// The unit of all speeds, as an exponent, and the digits of the largest one over it.
+pub(super) fn unit(figure: &Figure, terminals: &[Terminal], phases: &Phases) -> (i32, i32) {
+    common_unit(all(figure, terminals, phases))
+}
 
 impl Planes {
     /// The lines of later phases: copies of those of the first ones.
@@ -43,27 +76,30 @@ impl Planes {
         speeds
     }
 
-    pub(super) fn set_speeds(&mut self, figure: &Figure, terminals: &[Terminal]) {
+    /// The speeds of all planes, and the planes that come with those of edges and terminals.
+    pub(super) fn set_speeds(&mut self, figure: &Figure, terminals: &[Terminal], unit: (i32, i32)) {
         #[expect(clippy::float_cmp, reason = "asks for the number one itself")]
         let plain = figure.edges().iter().all(|e| e.speeds == [1.0, 1.0]);
         if plain && self.phases.is_empty() {
             return;
         }
-        let all = || {
-            let edges = figure.edges().iter().flat_map(|e| e.speeds);
-            let first = edges.chain(terminals.iter().flat_map(|t| [t.speed, t.speed]));
-            first.chain(self.phases.later_speeds().flat_map(|w| [w, w]))
-        };
-        let (unit, bits) = common_unit(all());
+        let (unit, bits) = unit;
         let shift = if bits > 20 || self.shift > 0 {
             (bits - 10).max(0)
         } else {
             0
         };
-        let mut exact: Vec<IBig> = all().map(|w| scaled(w, unit)).collect();
+        let all = all(figure, terminals, &self.phases);
+        let mut exact: Vec<IBig> = all.map(|w| scaled(w, unit)).collect();
         self.time_unit = self.unit - unit;
-        exact.append(&mut self.add_levels());
+        self.add_later_phases();
+        self.add_eaves(figure, unit, shift);
+        // The posts stand still.
+        exact.resize(exact.len() + 4 * self.phases.eaves().len(), IBig::ZERO);
         self.speeds = Some(Speeds { exact, shift });
+        let mut levels = self.add_levels();
+        let speeds = self.speeds.as_mut().expect("just set");
+        speeds.exact.append(&mut levels);
     }
 
     /// Which of two planes is the faster one? Of equally fast ones, the one whose wavefront

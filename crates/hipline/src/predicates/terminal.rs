@@ -1,6 +1,6 @@
 //! Vertices of degree one, which emit a wavefront edge of their own.
 
-use crate::{input::Figure, topology::EdgeId};
+use crate::{input::Figure, topology::{EdgeId, VertexId}};
 
 /// A vertex of degree one.
 #[derive(Debug, Clone, Copy)]
@@ -54,7 +54,11 @@ impl Terminal {
             .map(|right| figure.changes_of(edge, right))
             .concat();
         changes.sort_by(|a, b| a.time.total_cmp(&b.time));
+        let height = figure.height(VertexId::new(self.tip));
         let mut list = vec![[0.0, self.speed]];
+        if height > 0.0 {
+            list = vec![[0.0, 0.0], [height, self.speed]];
+        }
         for together in changes.chunk_by(|a, b| a.time.to_bits() == b.time.to_bits()) {
             for change in together {
                 now[usize::from(change.right)] = change.speed;

@@ -1,11 +1,13 @@
 //! The result: nodes, arcs and faces of a straight skeleton. The only way out.
 
 mod assemble;
+mod heights;
 mod model;
 mod stats;
 mod verify;
 
 pub(crate) use assemble::assemble;
+pub use heights::ReachedEarly;
 pub use model::{Arc, ArcKind, Face, InputGraph, Node, NodeKind, Options, Region, Side, Skeleton};
 pub use stats::Stats;
 pub use verify::{Violation, Violations};

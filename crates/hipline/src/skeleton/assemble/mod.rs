@@ -165,7 +165,8 @@ impl Assembly<'_> {
             let first = self.pieces.len() as u32;
             let kind = match trace.end {
                 End::Ghost => ArcKind::Ghost,
-                _ if self.front.is_crease(id) => ArcKind::Crease,
+                _ if self.is_crease(&trace) => ArcKind::Crease,
+                _ if self.planes.phases.is_post(trace.pair[0]) => ArcKind::Ghost,
                 _ if trace.turn == Sign::Negative => ArcKind::Valley,
                 _ => ArcKind::Ridge,
             };

@@ -2,7 +2,7 @@
 
 use super::{Assembly, Side};
 use crate::{
-    kinetic::Walk,
+    kinetic::{Trace, Walk},
     predicates::{PlaneId, Terminal},
 };
 
@@ -69,40 +69,41 @@ impl Assembly<'_> {
                 None => PlaneId(sides + 2 * (face - sides)),
             })
             .collect();
-        if front.creases.is_empty() {
+        if front.starts.is_empty() {
             return planes;
         }
         let mut face_of = vec![u32::MAX; self.next.len()];
-        let mut mark = |face: u32| {
+        for face in 0..front.after_base.len() as u32 {
             if let Some(walk) = front.first_walk(face) {
                 for step in self.around(self.step(walk)) {
                     face_of[step] = face;
                 }
             }
-        };
-        (0..front.bases).for_each(&mut mark);
-        let mut below: Vec<Vec<u32>> = Vec::new();
-        for face in front.bases..front.after_base.len() as u32 {
-            mark(face);
         }
-        for &crease in &front.creases {
+        for start in &front.starts {
+            let (Some(old), Walk::Down(crease)) = (start.before, start.walk) else {
+                planes.push(start.plane);
+                continue;
+            };
             let [first, end] = self.of_trace[crease.index()];
-            let faces = (first..end).map(|piece| face_of[2 * piece as usize]);
-            below.push(faces.filter(|&face| face != u32::MAX).collect());
-        }
-        for (crease, below) in front.creases.iter().zip(below) {
-            let out = front.wave(front.trace(*crease).out).plane;
-            let old = front.wave(front.trace(*crease).inn).plane;
-            let time = self.planes.phases.time_of(out);
-            let plane = below
-                .into_iter()
+            let time = self.planes.phases.time_of(start.plane);
+            let plane = (first..end)
+                .map(|piece| face_of[2 * piece as usize])
+                .filter(|&face| face != u32::MAX)
                 .map(|face| planes[face as usize])
                 .chain(std::iter::once(old))
                 .filter_map(|plane| self.planes.phases.after(plane, time))
                 .min_by_key(|&plane| self.planes.phases.origin(plane).0);
-            planes.push(plane.unwrap_or(out));
+            planes.push(plane.unwrap_or(start.plane));
         }
         planes
+    }
+
+    /// Whether a trace lies between two phases of one edge.
+    pub(super) fn is_crease(&self, trace: &Trace) -> bool {
+        let phases = &self.planes.phases;
+        let origin = |wave| phases.origin(self.front.wave(wave).plane).0;
+        !phases.is_empty() && origin(trace.inn) == origin(trace.out)
     }
 
     /// The walk along which a face starts.

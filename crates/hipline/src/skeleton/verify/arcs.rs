@@ -18,6 +18,8 @@ enum Nature {
     Level,
     /// The planes cross; the sign of the turn from the left one to the right one.
     Crossing(Sign),
+    /// The faces are those of both sides of one edge, which stand back to back: an upright arc above a terminal.
+    BackToBack,
 }
 
 impl Checker<'_> {
@@ -45,6 +47,7 @@ impl Checker<'_> {
     fn nature(&self, arc: &Arc) -> Nature {
         let [i, j] = arc.faces.map(|face| self.plane_of(face));
         match self.planes.turn(i, j) {
+            Sign::Zero if i.0 ^ j.0 == 1 => Nature::BackToBack,
             Sign::Zero if self.planes.coplanar(i, j) => Nature::Ghost,
             Sign::Zero => Nature::Level,
             sign => Nature::Crossing(sign),
@@ -54,12 +57,15 @@ impl Checker<'_> {
     /// The kind follows from the planes: walking up, with the wavefront edge of the left
     /// face coming in and that of the right face going out, a left turn is a ridge.
     fn check_kind(&mut self, id: ArcId, nature: Nature) {
+        let arc = self.skeleton.arc(id);
+        let [i, j] = arc.faces.map(|f| self.first_plane(self.skeleton.face(f)));
         let expected = match nature {
+            Nature::Level | Nature::Crossing(_) if i == j => ArcKind::Crease,
             Nature::Ghost => ArcKind::Ghost,
-            Nature::Crossing(Sign::Negative) => ArcKind::Valley,
+            Nature::Crossing(Sign::Negative) | Nature::BackToBack => ArcKind::Valley,
             Nature::Level | Nature::Crossing(_) => ArcKind::Ridge,
         };
-        let kind = self.skeleton.arc(id).kind;
+        let kind = arc.kind;
         if kind != expected
             && !(kind == ArcKind::Crease && nature == Nature::Level && self.is_crease(id))
         {
@@ -87,7 +93,7 @@ impl Checker<'_> {
             return;
         };
         match (self.planes.compare_times(&from, &to), nature) {
-            (Ordering::Less, Nature::Ghost | Nature::Crossing(_)) => {}
+            (Ordering::Less, Nature::Ghost | Nature::Crossing(_) | Nature::BackToBack) => {}
             (Ordering::Equal, Nature::Level) => {
                 if self.planes.compare_along(&from, &to, plane).is_eq() {
                     self.report.add(Violation::NoLength { arc: id });
@@ -116,6 +122,7 @@ impl Checker<'_> {
                 self.report.add(Violation::NotLater { arc: id });
                 return;
             }
+            Nature::BackToBack => [0.0, 0.0],
             Nature::Ghost => self
                 .planes
                 .round_normal_velocity(self.plane_of(arc.faces[0])),
@@ -140,7 +147,7 @@ impl Checker<'_> {
     fn heading(&self, arc: &Arc, nature: Nature) -> Heading {
         let [i, j] = arc.faces.map(|face| self.plane_of(face));
         match nature {
-            Nature::Ghost => self.planes.heading(Course::Normal(i)),
+            Nature::Ghost | Nature::BackToBack => self.planes.heading(Course::Normal(i)),
             Nature::Crossing(_) => self
                 .planes
                 .heading(Course::Moving(self.turning_left([i, j]))),

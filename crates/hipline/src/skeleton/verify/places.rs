@@ -72,6 +72,7 @@ impl Checker<'_> {
             .map(|face| self.plane_of(face))
             .collect();
         planes.extend(self.closed_terminals(node));
+        planes.extend(self.posts(node));
         planes.sort_unstable();
         planes.dedup();
         let Some(&i) = planes.first() else {
@@ -109,6 +110,23 @@ impl Checker<'_> {
             let plane = self.terminal_plane(self.terminal_at(vertex)?);
             (i ^ j == 1 && self.planes.stands_still(plane)).then_some(plane)
         })
+    }
+
+    /// The posts across tilted eaves at the vertex below this node, if walls go up from there.
+    fn posts(&self, node: NodeId) -> impl Iterator<Item = PlaneId> + '_ {
+        self.incidence.arcs(node).iter().flat_map(|&a| {
+            let arc = self.skeleton.arc(ArcId::raw(a));
+            let NodeKind::Input(vertex) = self.skeleton.node(arc.nodes[0]).kind else {
+                return [None; 2];
+            };
+            arc.faces.map(|face| {
+                let eave = self.planes.phases.eave_of(self.plane_of(face))?;
+                let edge = self.skeleton.input.edges[eave.edge.index()];
+                let at_end = (edge[0] != vertex) != (eave.wall.0 % 2 == 1);
+                Some(eave.posts[usize::from(at_end)])
+            })
+        })
+        .flatten()
     }
 
     /// The arc of one height between parallel planes. When they meet is no matter of the
