@@ -40,8 +40,26 @@ pub fn failure(case: &Case) -> Option<String> {
         .map(|difference| difference.to_string())
 }
 
+/// What kind of failure that is: a panic without its numbers, names of faces only, or arcs.
+#[must_use]
+pub fn manner(how: &str) -> String {
+    if let Some(at) = how.find("panics") {
+        let text = how[at..].split(['{', '(']).next().unwrap_or_default();
+        return text.chars().filter(|c| !c.is_ascii_digit()).collect();
+    }
+    let bare = |verb: &str| {
+        let lines = how.lines().filter_map(|line| line.strip_prefix(verb));
+        let places = lines.filter_map(|line| line.split_once(": "));
+        let mut places: Vec<&str> = places.map(|(_, ends)| ends).collect();
+        places.sort_unstable();
+        places
+    };
+    let names = !bare("missing").is_empty() && bare("missing") == bare("extra");
+    if names { "names" } else { "arcs" }.to_owned()
+}
+
 /// Tries the cases of some seeds; for each failure, up to `most`, the smallest case that
-/// still fails, and how.
+/// still fails in the same manner, and how.
 pub fn hunt(
     generate: impl Fn(u64) -> Case,
     seeds: impl IntoIterator<Item = u64>,
@@ -53,14 +71,10 @@ pub fn hunt(
         let Some(first) = failure(&case) else {
             continue;
         };
-        if std::env::var_os("HIPLINE_WHOLE").is_some() {
-            found.push((case, first));
-            if found.len() >= most {
-                break;
-            }
-            continue;
-        }
-        let smallest = reduce(&case, |case| failure(case).is_some());
+        let kind = manner(&first);
+        let smallest = reduce(&case, |case| {
+            failure(case).is_some_and(|how| manner(&how) == kind)
+        });
         let how = failure(&smallest).unwrap_or_else(|| "it failed only once".to_owned());
         found.push((smallest, how));
         if found.len() >= most {
