@@ -191,6 +191,30 @@ impl Kinetic<'_> {
         }
     }
 
+    /// Opens the terminals whose edges stand still, but were overrun by others: what ends there moves now.
+    pub(super) fn open_moved_terminals(&mut self) {
+        for (x, terminal) in std::mem::take(&mut self.changes.closed) {
+            let cap = self.terminal_plane(terminal);
+            let is_moving = |y: TraceId| self.front.trace(y).end == End::Moving;
+            // Between antiparallel wavefront edges, the new vertex has the planes of the old one.
+            let here = if is_moving(x) {
+                Some(x)
+            } else {
+                let mut fresh = self.batch.fresh.iter().copied();
+                fresh.find(|&y| is_moving(y) && self.front.trace(y).pair[0] == cap)
+            };
+            let Some(here) = here else { continue };
+            let Trace { inn, out, .. } = *self.front.trace(here);
+            let stands = |wave| self.planes.stands_still(self.front.wave(wave).plane);
+            if stands(inn) && stands(out) {
+                self.front.trace_mut(here).turn = Sign::Negative;
+                self.changes.closed.push((here, terminal));
+            } else {
+                self.open_terminal(here, terminal, cap);
+            }
+        }
+    }
+
     /// A vertex that goes on as a new one, between the same wavefront edges.
     pub(super) fn restart(&mut self, x: TraceId) -> TraceId {
         let node = if self.now == Moment::Start {

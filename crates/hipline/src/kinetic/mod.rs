@@ -137,6 +137,7 @@ impl Kinetic<'_> {
                 break;
             }
             self.remove_straight_vertices();
+            self.open_moved_terminals();
             self.end_batch();
         }
         self.finish();

@@ -15,19 +15,6 @@ use crate::predicates::{Bounds, Corner, Moment, PlaneId, Planes};
 use crate::topology::{TriangleId, WaveId};
 use hipline_num::{BallDd, Number, Sign, Wide};
 
-/// The planes whose meeting makes a wavefront edge vanish.
-fn collapse_planes(triangulation: &Triangulation, front: &Wavefront, wave: WaveId) -> [PlaneId; 3] {
-    let [start, end] = triangulation.ends(wave);
-    let plane = front.wave(wave).plane;
-    // Not always those of the wavefront edges before and after: see terminals that stand still.
-    let other = |[i, j]: [PlaneId; 2]| if i == plane { j } else { i };
-    [
-        other(front.trace(start).pair),
-        plane,
-        other(front.trace(end).pair),
-    ]
-}
-
 pub(super) fn corner(front: &Wavefront, tip: super::triangulation::Tip) -> Corner {
     match tip.trace() {
         Some(x) => Corner::Finite(front.trace(x).pair),
@@ -192,7 +179,7 @@ impl Kinetic<'_> {
         }
         for (k, wave) in waves.into_iter().enumerate() {
             let Some(wave) = wave else { continue };
-            let triple = collapse_planes(&self.triangulation, &self.front, wave);
+            let triple = self.collapse_planes(wave);
             let [start, end] = [triangle.tips[next(k)], triangle.tips[prev(k)]].map(|tip| {
                 self.front
                     .trace(tip.trace().expect("wavefront edges are finite"))
@@ -216,6 +203,23 @@ impl Kinetic<'_> {
             }
         }
         best
+    }
+
+    /// The planes whose meeting makes a wavefront edge vanish.
+    fn collapse_planes(&self, wave: WaveId) -> [PlaneId; 3] {
+        let [start, end] = self.triangulation.ends(wave).map(|x| self.front.trace(x));
+        let plane = |wave| self.front.wave(wave).plane;
+        let (mut before, mut after) = (plane(start.inn), plane(end.out));
+        // A vertex between walls on one line stands on the first plane of its pair.
+        if !self.changes.closed.is_empty() || !self.planes.phases.eaves().is_empty() {
+            if self.planes.turn(before, plane(wave)).is_zero() {
+                before = start.pair[0];
+            }
+            if self.planes.turn(plane(wave), after).is_zero() {
+                after = end.pair[0];
+            }
+        }
+        [before, plane(wave), after]
     }
 
     /// The product of the turns at both ends of a wavefront edge.

@@ -241,6 +241,7 @@ impl<'a> Kinetic<'a> {
         for (x, terminal) in tips {
             self.open_terminal(x, terminal, self.terminal_plane(terminal));
         }
+        self.open_moved_terminals();
         self.refresh_pairs();
         self.start_facets(0.0);
         self.remove_straight_vertices();
@@ -369,10 +370,12 @@ impl<'a> Kinetic<'a> {
 
     /// The planes of vertices beside wavefront edges that were overrun have changed.
     fn refresh_pairs(&mut self) {
-        for trace in &mut self.front.traces {
+        let mut closed: Vec<TraceId> = self.changes.closed.iter().map(|c| c.0).collect();
+        closed.sort_unstable();
+        for (x, trace) in self.front.traces.iter_mut().enumerate() {
             let planes = [trace.inn, trace.out].map(|w| self.front.waves[w.index()].plane);
             // The pair of a terminal that stands still is no such one, nor is one with a post.
-            let stands = planes[0].0 ^ planes[1].0 == 1
+            let stands = closed.binary_search(&TraceId::new(x)).is_ok()
                 || self.planes.phases.is_post(trace.pair[0]);
             if trace.end == End::Moving && !stands {
                 let [i, j] = planes;

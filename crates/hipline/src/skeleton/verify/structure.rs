@@ -173,9 +173,10 @@ impl Checker<'_> {
         let (mut i, mut j) = (0, 0);
         let faces = &self.skeleton.faces;
         while i < faces.len() || j < expected.len() {
-            // Faces of later phases may be there or not, in several pieces, or none.
+            // Faces of later phases may be there or not, in several pieces, or none; and a
+            // terminal that stands still emits a wavefront edge if its edge was overrun.
             if let Some(face) = faces.get(i)
-                && face.phase > 0
+                && (face.phase > 0 || self.is_still_terminal(face))
                 && self.has_phase(face)
             {
                 i += 1;
@@ -197,6 +198,18 @@ impl Checker<'_> {
                 i += 1;
             }
         }
+    }
+
+    /// Whether a face is that of a terminal that stands still at first.
+    fn is_still_terminal(&self, face: &Face) -> bool {
+        let edge = &self.figure.edges()[face.edge.index()];
+        let tip = match face.side {
+            Side::Start => edge.from,
+            Side::End => edge.to,
+            Side::Left | Side::Right => return false,
+        };
+        self.terminal_at(tip)
+            .is_some_and(|i| self.planes.stands_still(self.terminal_plane(i)))
     }
 
     /// Whether a face of a later phase belongs to a side of an edge in the region whose speed
