@@ -111,12 +111,8 @@ impl Drawn {
 
 impl fmt::Display for Drawn {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let [[left, from], [right, to]] = [0, 1].map(|k| {
-            [
-                face_text(self.faces[k]),
-                end_text(&self.ends[k]),
-            ]
-        });
+        let [[left, from], [right, to]] =
+            [0, 1].map(|k| [face_text(self.faces[k]), end_text(&self.ends[k])]);
         write!(f, "{:?} {left} | {right}: {from} -> {to}", self.kind())
     }
 }
@@ -214,7 +210,10 @@ fn later_faces(
 fn faces_differ(skeleton: &Skeleton, reference: &Reference) -> Option<String> {
     let names = skeleton.faces().iter();
     let names = names.map(|face| (face.edge.index(), face.side, face.phase));
-    let beside = skeleton.arcs().iter().map(|arc| arc.faces.map(FaceId::index));
+    let beside = skeleton
+        .arcs()
+        .iter()
+        .map(|arc| arc.faces.map(FaceId::index));
     let ours = later_faces(names, beside.zip(all_drawn(skeleton)));
     let beside = reference.arcs.iter().map(|arc| arc.faces);
     let arcs = beside.zip(all_drawn_reference(reference));
@@ -223,12 +222,16 @@ fn faces_differ(skeleton: &Skeleton, reference: &Reference) -> Option<String> {
         return None;
     }
     let text = |faces: &[(FaceName, Vec<Drawn>)]| {
-        let each = faces.iter().map(|(name, arcs)| {
-            format!("{} ({} arcs)", face_text(*name), arcs.len())
-        });
+        let each = faces
+            .iter()
+            .map(|(name, arcs)| format!("{} ({} arcs)", face_text(*name), arcs.len()));
         each.collect::<Vec<_>>().join(", ")
     };
-    Some(format!("later faces {} instead of {}", text(&ours), text(&due)))
+    Some(format!(
+        "later faces {} instead of {}",
+        text(&ours),
+        text(&due)
+    ))
 }
 
 /// How a skeleton differs from the reference.
@@ -291,7 +294,11 @@ pub fn compare(
     // On either side of an edge that stands still, something may happen at one place and time:
     // whether that is one node or two is nobody's business.
     let changes = figure.changes().iter().map(|change| change.speed);
-    let mut speeds = figure.edges().iter().flat_map(|edge| edge.speeds).chain(changes);
+    let mut speeds = figure
+        .edges()
+        .iter()
+        .flat_map(|edge| edge.speeds)
+        .chain(changes);
     if !speeds.any(|speed| key(speed) == 0) && skeleton.nodes().len() != reference.nodes.len() {
         other.push(format!(
             "{} nodes instead of {}",

@@ -207,7 +207,9 @@ impl Case {
                 } => builder.weighted_graph(vertices, edges, speeds),
             };
         }
-        self.changes.iter().for_each(|&change| builder.change(change));
+        self.changes
+            .iter()
+            .for_each(|&change| builder.change(change));
         builder
     }
 
@@ -424,7 +426,12 @@ mod tests {
             panic!("three changes: {case:?}");
         };
         assert_eq!(
-            (first.edge.part, first.edge.index, first.sides, first.time.to_bits()),
+            (
+                first.edge.part,
+                first.edge.index,
+                first.sides,
+                first.time.to_bits()
+            ),
             (0, 2, Sides::Left, 0.1_f64.to_bits()),
             "{first:?}"
         );

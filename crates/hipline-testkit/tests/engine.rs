@@ -16,7 +16,11 @@ fn agrees(generate: fn(u64) -> Case, release: u64, debug: u64) {
     let count = std::env::var("HIPLINE_CASES")
         .ok()
         .and_then(|count| count.parse().ok())
-        .unwrap_or(if cfg!(debug_assertions) { debug } else { release });
+        .unwrap_or(if cfg!(debug_assertions) {
+            debug
+        } else {
+            release
+        });
     let threads = thread::available_parallelism().map_or(1, |n| n.get() as u64);
     println!("seeds 0 to {count} on {threads} threads");
     let found: Vec<_> = thread::scope(|scope| {

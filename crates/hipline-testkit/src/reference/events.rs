@@ -21,11 +21,7 @@ impl Wave<'_> {
             let plane = self.plane(self.pieces[p].face);
             let key = (start.id, end.id, u32::MAX);
             let model = self.model;
-            let time = self.time_of(key, || {
-                start
-                    .motion
-                    .joins(&model.field, &end.motion, plane)
-            });
+            let time = self.time_of(key, || start.motion.joins(&model.field, &end.motion, plane));
             if let Some(time) = time.filter(|time| self.is_before(time, best.as_ref())) {
                 best = Some(time);
             }
@@ -43,9 +39,7 @@ impl Wave<'_> {
                 }
                 let key = (corner.id, face as u32, 0);
                 let model = self.model;
-                let time = self.time_of(key, || {
-                    corner.motion.reaches(&model.field, plane)
-                });
+                let time = self.time_of(key, || corner.motion.reaches(&model.field, plane));
                 if let Some(time) = time.filter(|time| self.is_before(time, best.as_ref()))
                     && self.hits(&corner, p, &time)
                 {

@@ -116,7 +116,10 @@ impl Graph {
                 let mut times: Vec<f64> = sides.iter().flatten().map(|entry| entry[0]).collect();
                 times.sort_by(f64::total_cmp);
                 let fastest = |time: f64| at(&sides[0], time).max(at(&sides[1], time));
-                times.into_iter().map(|time| [time, fastest(time)]).collect()
+                times
+                    .into_iter()
+                    .map(|time| [time, fastest(time)])
+                    .collect()
             }
         };
         // What stays the same is no change.

@@ -38,7 +38,11 @@ fn counts(graph: &Graph, result: &Reference, events: usize) -> Result<(), String
         .iter()
         .filter(|(_, side, phase)| *phase == 0 && matches!(side, Side::Start | Side::End))
         .count();
-    let first = result.faces.iter().filter(|(.., phase)| *phase == 0).count();
+    let first = result
+        .faces
+        .iter()
+        .filter(|(.., phase)| *phase == 0)
+        .count();
     if first != 2 * graph.edges.len() + caps {
         return Err(format!(
             "{first} faces, {} edges, {caps} caps",

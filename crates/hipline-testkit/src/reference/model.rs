@@ -93,8 +93,8 @@ impl Model {
         let speeds = graph.edges.iter().flat_map(|edge| edge.speeds);
         let speed_bits = common_bits(speeds.chain(changes().map(|change| change.speed)));
         let time_bits = common_bits(changes().map(|change| change.time));
-        let place_bits = common_bits(graph.vertices.iter().flatten().copied())
-            .max(speed_bits + time_bits);
+        let place_bits =
+            common_bits(graph.vertices.iter().flatten().copied()).max(speed_bits + time_bits);
         let points: Vec<Vector> = graph
             .vertices
             .iter()

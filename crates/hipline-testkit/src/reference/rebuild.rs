@@ -213,9 +213,7 @@ impl Wave<'_> {
         }
         let face = self.plane(face);
         let (tn, td) = self.time.parts();
-        let right = field
-            .mul(&face.rate, tn)
-            .plus(&field.mul(td, &face.level));
+        let right = field.mul(&face.rate, tn).plus(&field.mul(td, &face.level));
         let left = point.tops[0]
             .times(&face.normal[0])
             .plus(&point.tops[1].times(&face.normal[1]));
