@@ -22,6 +22,7 @@ use super::wave::{Link, Places, Wave};
 /// A part of a wavefront edge between neighbouring places.
 #[derive(Debug, Clone, Copy)]
 struct Part {
+    piece: usize,
     face: usize,
     from: usize,
     to: usize,
@@ -38,7 +39,7 @@ impl Wave<'_> {
         let mut links: Vec<Link> = parts
             .iter()
             .zip(kept)
-            .map(|(&Part { face, from, to }, alive)| Link {
+            .map(|(&Part { face, from, to, .. }, alive)| Link {
                 face,
                 from,
                 to,
@@ -191,6 +192,7 @@ impl Wave<'_> {
             }
             for stop in stops {
                 parts.push(Part {
+                    piece: p,
                     face: piece.face,
                     from: last,
                     to: stop,
@@ -235,6 +237,7 @@ impl Wave<'_> {
                 .push(index);
         }
         let mut kept = vec![true; parts.len()];
+        let mut opposite = BTreeMap::new();
         for mut stack in seen.into_values().filter(|stack| stack.len() > 1) {
             // Looking along ascending places: what faces left comes from the right, unless it stands.
             let faces_left = |index: usize| parts[index].from < parts[index].to;
@@ -257,14 +260,33 @@ impl Wave<'_> {
                     "wavefront edges overlap: {stack:?}"
                 );
                 if faces_left(*a) {
-                    let [p, q] = [parts[*a], parts[*b]];
-                    self.level_arc(places, [p.from, p.to], [q.face, p.face], ArcKind::Ridge);
+                    opposite.insert(*a, *b);
                     (kept[*a], kept[*b]) = (false, false);
                     layers = beyond;
                 }
             }
         }
+        self.ridges(places, parts, &opposite);
         kept
+    }
+
+    /// Ridges between parts that lie face to face. Where the same two edges go on face to face, the place
+    /// between is that of a vertex beyond an edge that stands still, and nothing happens there.
+    fn ridges(&mut self, places: &mut Places, parts: &[Part], opposite: &BTreeMap<usize, usize>) {
+        let pieces = |a: usize, b: usize| [parts[a].piece, parts[b].piece];
+        let goes_on = |a: usize, b: usize| {
+            let after = opposite.get(&(a + 1));
+            after.is_some_and(|&after| after + 1 == b && pieces(a + 1, after) == pieces(a, b))
+        };
+        let mut from = None;
+        for (&a, &b) in opposite {
+            let start = *from.get_or_insert(parts[a].from);
+            if !goes_on(a, b) {
+                let ends = [start, parts[a].to];
+                self.level_arc(places, ends, [parts[b].face, parts[a].face], ArcKind::Ridge);
+                from = None;
+            }
+        }
     }
 
     /// Links what arrives at a place to what leaves it, sector by sector.
