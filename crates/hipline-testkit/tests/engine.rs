@@ -5,8 +5,11 @@
 //! `HIPLINE_CASES` sets another count, and a longer run goes by
 //! `cargo run --release -p hipline-testkit --example hunt -- FIRST COUNT`.
 
+mod common;
+
 use std::thread;
 
+use common::{count, overruns_at_zero, run};
 use hipline_testkit::Case;
 use hipline_testkit::generate::{small, small_weighted};
 use hipline_testkit::hunt::hunt;
@@ -48,4 +51,28 @@ fn agrees_with_the_reference() {
 #[test]
 fn agrees_with_the_reference_on_changing_speeds() {
     agrees(small_weighted, 10_000, 300);
+}
+
+#[test]
+fn changing_speeds_pass_verification() {
+    let mut wrong = Vec::new();
+    let mut checked = 0;
+    for seed in 0..count(4000, 200) {
+        let case = small_weighted(seed);
+        let skeleton = run(&case);
+        if overruns_at_zero(&skeleton) {
+            continue;
+        }
+        checked += 1;
+        let figure = case.figure().expect("a figure");
+        if let Err(violations) = skeleton.verify(&figure) {
+            wrong.push(format!("{violations}\n{}", case.to_text()));
+        }
+    }
+    assert!(
+        checked > count(4000, 200) / 2,
+        "only {checked} were checked"
+    );
+    let shown = wrong[..wrong.len().min(3)].join("\n");
+    assert!(wrong.is_empty(), "{} wrong\n{shown}", wrong.len());
 }
