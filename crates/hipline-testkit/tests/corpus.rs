@@ -5,11 +5,11 @@ mod common;
 use std::fs;
 use std::path::PathBuf;
 
-use common::{overruns_at_zero, repository};
+use common::repository;
 use hipline::skeleton::NodeKind;
 use hipline::{Options, Region, Skeleton};
 use hipline_testkit::Case;
-use hipline_testkit::hunt::failure;
+use hipline_testkit::hunt::{failure, overruns_at_zero};
 
 fn files() -> Vec<PathBuf> {
     let folder = repository().join("corpus");

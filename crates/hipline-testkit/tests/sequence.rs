@@ -11,13 +11,14 @@ mod common;
 
 use std::collections::BTreeMap;
 
-use common::{count, overruns_at_zero};
+use common::count;
 use hipline::input::{Change, Place, Sides};
 use hipline::skeleton::{ArcKind, Face, Side};
 use hipline::{Figure, FigureBuilder, Options, Region, Skeleton};
 use hipline_testkit::agreement::{Drawn, End, drawn};
 use hipline_testkit::case::{Case, Part};
 use hipline_testkit::generate::{Kind, Random, small_of};
+use hipline_testkit::hunt::overruns_at_zero;
 
 /// What an edge is called in both figures: edge and side.
 type Name = (usize, Side);

@@ -27,14 +27,6 @@ pub fn run(case: &Case) -> Skeleton {
     figure.skeleton(Options::default().region(Region::Both))
 }
 
-/// Whether an edge is overrun at time zero: then an arc covers its base from vertex to vertex, and
-/// `verify` does not know such arcs.
-pub fn overruns_at_zero(skeleton: &Skeleton) -> bool {
-    let vertices = skeleton.input().vertices;
-    let mut arcs = skeleton.arcs().iter();
-    arcs.any(|arc| arc.nodes.iter().all(|node| node.index() < vertices))
-}
-
 /// The folder of the repository.
 pub fn repository() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
