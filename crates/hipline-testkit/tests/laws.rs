@@ -57,7 +57,7 @@ fn cases_cover_the_degeneracies() {
             let [p, q] = arc.nodes.map(|node| result.nodes[node]);
             let upright = match q.kind {
                 RefKind::Infinite([x, y]) => x == 0.0 && y == 0.0,
-                _ => p.place == q.place,
+                _ => (0..2).all(|k| p.place[k].total_cmp(&q.place[k]).is_eq()),
             };
             let end = if upright && to.is_infinite() {
                 "upright unbounded"
