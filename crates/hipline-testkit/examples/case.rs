@@ -1,8 +1,12 @@
-//! Prints the small case of a seed in the corpus format.
+//! Prints the small case of a seed in the corpus format; of `weighted SEED`, one with speeds of zero
+//! and speeds that change.
+
+use hipline_testkit::generate::{small, small_weighted};
+
 fn main() {
-    let seed = std::env::args()
-        .nth(1)
-        .and_then(|s| s.parse().ok())
-        .unwrap_or(0);
-    print!("{}", hipline_testkit::generate::small(seed).to_text());
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    let weighted = arguments.first().is_some_and(|first| first == "weighted");
+    let seed = arguments.last().and_then(|seed| seed.parse().ok());
+    let generate = if weighted { small_weighted } else { small };
+    print!("{}", generate(seed.unwrap_or(0)).to_text());
 }

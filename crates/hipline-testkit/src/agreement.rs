@@ -60,13 +60,16 @@ fn value(key: i64) -> f64 {
     f64::from_bits((key ^ ((key >> 63) as u64 >> 1) as i64) as u64)
 }
 
+/// What a face is called: edge, side and phase. (Of later phases, several may have one name.)
+pub type FaceName = (usize, Side, u32);
+
 /// An arc as a value; the order of its faces goes with that of its ends.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Drawn {
     /// Its ends, ordered by time, then place.
     pub ends: [End; 2],
-    /// The faces (edge and side) on its left and right, seen from the first end.
-    pub faces: [(usize, Side); 2],
+    /// The faces on its left and right, seen from the first end.
+    pub faces: [FaceName; 2],
     /// 0 for a ridge, 1 for a valley, 2 for a ghost, 3 for a crease.
     kind: u8,
 }
@@ -74,7 +77,7 @@ pub struct Drawn {
 impl Drawn {
     /// An arc from its parts.
     #[must_use]
-    pub fn new(mut ends: [End; 2], mut faces: [(usize, Side); 2], kind: ArcKind) -> Self {
+    pub fn new(mut ends: [End; 2], mut faces: [FaceName; 2], kind: ArcKind) -> Self {
         if ends[0] > ends[1] {
             ends.reverse();
             faces.reverse();
@@ -108,14 +111,15 @@ impl Drawn {
 
 impl fmt::Display for Drawn {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let [[left, from], [right, to]] = [0, 1].map(|k| {
-            [
-                format!("e{} {:?}", self.faces[k].0, self.faces[k].1),
-                end_text(&self.ends[k]),
-            ]
-        });
+        let [[left, from], [right, to]] =
+            [0, 1].map(|k| [face_text(self.faces[k]), end_text(&self.ends[k])]);
         write!(f, "{:?} {left} | {right}: {from} -> {to}", self.kind())
     }
+}
+
+/// `e3 Left`, `e3 Left'` in phase 1, and so on.
+fn face_text((edge, side, phase): FaceName) -> String {
+    format!("e{edge} {side:?}{}", "'".repeat(phase as usize))
 }
 
 fn end_text(end: &End) -> String {
@@ -129,7 +133,17 @@ fn end_text(end: &End) -> String {
 /// The arcs of a skeleton, sorted.
 #[must_use]
 pub fn drawn(skeleton: &Skeleton) -> Vec<Drawn> {
-    let face = |id: FaceId| (skeleton.face(id).edge.index(), skeleton.face(id).side);
+    let mut drawn: Vec<Drawn> = all_drawn(skeleton).collect();
+    drawn.sort_unstable();
+    drawn
+}
+
+/// The arcs of a skeleton, in its order.
+fn all_drawn(skeleton: &Skeleton) -> impl Iterator<Item = Drawn> {
+    let face = |id: FaceId| {
+        let face = skeleton.face(id);
+        (face.edge.index(), face.side, face.phase)
+    };
     let end = |id: NodeId| {
         let node = skeleton.node(id);
         let direction = if let NodeKind::Infinite { direction } = node.kind {
@@ -140,16 +154,19 @@ pub fn drawn(skeleton: &Skeleton) -> Vec<Drawn> {
         End::new([node.x, node.y], node.time, direction)
     };
     let arcs = skeleton.arcs().iter();
-    let mut drawn: Vec<Drawn> = arcs
-        .map(|arc| Drawn::new(arc.nodes.map(end), arc.faces.map(face), arc.kind))
-        .collect();
-    drawn.sort_unstable();
-    drawn
+    arcs.map(move |arc| Drawn::new(arc.nodes.map(end), arc.faces.map(face), arc.kind))
 }
 
 /// The arcs of a reference, sorted.
 #[must_use]
 pub fn drawn_reference(reference: &Reference) -> Vec<Drawn> {
+    let mut drawn: Vec<Drawn> = all_drawn_reference(reference).collect();
+    drawn.sort_unstable();
+    drawn
+}
+
+/// The arcs of a reference, in its order.
+fn all_drawn_reference(reference: &Reference) -> impl Iterator<Item = Drawn> {
     let end = |n: usize| {
         let node = &reference.nodes[n];
         let direction = if let RefKind::Infinite(direction) = node.kind {
@@ -160,17 +177,61 @@ pub fn drawn_reference(reference: &Reference) -> Vec<Drawn> {
         End::new(node.place, node.time, direction)
     };
     let arcs = reference.arcs.iter();
-    let mut drawn: Vec<Drawn> = arcs
-        .map(|arc| {
-            Drawn::new(
-                arc.nodes.map(end),
-                arc.faces.map(|face| reference.faces[face]),
-                arc.kind,
-            )
-        })
-        .collect();
-    drawn.sort_unstable();
-    drawn
+    arcs.map(move |arc| {
+        Drawn::new(
+            arc.nodes.map(end),
+            arc.faces.map(|face| reference.faces[face]),
+            arc.kind,
+        )
+    })
+}
+
+/// Each face of a later phase: its name and the arcs around it, sorted.
+fn later_faces(
+    names: impl Iterator<Item = FaceName>,
+    arcs: impl Iterator<Item = ([usize; 2], Drawn)>,
+) -> Vec<(FaceName, Vec<Drawn>)> {
+    let mut faces: Vec<(FaceName, Vec<Drawn>)> = names.map(|name| (name, Vec::new())).collect();
+    for (beside, arc) in arcs {
+        for face in beside {
+            faces[face].1.push(arc);
+        }
+    }
+    faces.retain(|((.., phase), _)| *phase > 0);
+    for (_, arcs) in &mut faces {
+        arcs.sort_unstable();
+    }
+    faces.sort_unstable();
+    faces
+}
+
+/// Later faces that only one of the two has; several faces may have one name, so arcs alone do not tell
+/// how they are distributed.
+fn faces_differ(skeleton: &Skeleton, reference: &Reference) -> Option<String> {
+    let names = skeleton.faces().iter();
+    let names = names.map(|face| (face.edge.index(), face.side, face.phase));
+    let beside = skeleton
+        .arcs()
+        .iter()
+        .map(|arc| arc.faces.map(FaceId::index));
+    let ours = later_faces(names, beside.zip(all_drawn(skeleton)));
+    let beside = reference.arcs.iter().map(|arc| arc.faces);
+    let arcs = beside.zip(all_drawn_reference(reference));
+    let due = later_faces(reference.faces.iter().copied(), arcs);
+    if ours == due {
+        return None;
+    }
+    let text = |faces: &[(FaceName, Vec<Drawn>)]| {
+        let each = faces
+            .iter()
+            .map(|(name, arcs)| format!("{} ({} arcs)", face_text(*name), arcs.len()));
+        each.collect::<Vec<_>>().join(", ")
+    };
+    Some(format!(
+        "later faces {} instead of {}",
+        text(&ours),
+        text(&due)
+    ))
 }
 
 /// How a skeleton differs from the reference.
@@ -204,8 +265,8 @@ impl std::error::Error for Difference {}
 /// Compares a skeleton with the reference for the same figure and region.
 ///
 /// # Errors
-/// All differences, if there are any: arcs, numbers of nodes, and boundaries of the skeleton's
-/// faces that do not consist of its arcs.
+/// All differences, if there are any: arcs, how they are distributed over faces of later phases, numbers
+/// of nodes, and boundaries of the skeleton's faces that do not consist of its arcs.
 pub fn compare(
     figure: &Figure,
     skeleton: &Skeleton,
@@ -227,7 +288,18 @@ pub fn compare(
     };
     let (missing, extra): (Vec<Drawn>, Vec<Drawn>) = (of(1), of(-1));
     let mut other = boundaries(skeleton);
-    if skeleton.nodes().len() != reference.nodes.len() {
+    if missing.is_empty() && extra.is_empty() {
+        other.extend(faces_differ(skeleton, reference));
+    }
+    // On either side of an edge that stands still, something may happen at one place and time:
+    // whether that is one node or two is nobody's business.
+    let changes = figure.changes().iter().map(|change| change.speed);
+    let mut speeds = figure
+        .edges()
+        .iter()
+        .flat_map(|edge| edge.speeds)
+        .chain(changes);
+    if !speeds.any(|speed| key(speed) == 0) && skeleton.nodes().len() != reference.nodes.len() {
         other.push(format!(
             "{} nodes instead of {}",
             skeleton.nodes().len(),
@@ -271,6 +343,15 @@ pub fn wkt(figure: &Figure) -> String {
             .collect();
         text += &format!("\nspeeds, left and right: {}", speeds.join(", "));
     }
+    for change in figure.changes() {
+        let side = if change.right { "right" } else { "left" };
+        text += &format!(
+            "\ne{} {side}: {} from {} on",
+            change.edge.index(),
+            change.speed,
+            change.time
+        );
+    }
     text
 }
 
@@ -291,6 +372,8 @@ fn boundaries(skeleton: &Skeleton) -> Vec<String> {
             skeleton.input().edges[face.edge.index()].map(|vertex| NodeId::new(vertex.index()));
         let due = &mut due[f];
         match face.side {
+            // Later faces start at creases, which are arcs.
+            _ if face.phase > 0 => {}
             Side::Left => *due.entry((p, q)).or_default() += 1,
             Side::Right => *due.entry((q, p)).or_default() += 1,
             Side::Start | Side::End => {}
@@ -347,13 +430,13 @@ mod tests {
             End::new([0.0, 1.0], 0.0, None),
             End::new([2.0, 1.0], 0.5, None),
         ];
-        let faces = [(3, Side::Left), (4, Side::End)];
+        let faces = [(3, Side::Left, 0), (4, Side::End, 2)];
         let arc = Drawn::new(ends, faces, ArcKind::Valley);
         let turned = Drawn::new([ends[1], ends[0]], [faces[1], faces[0]], ArcKind::Valley);
         assert_eq!(arc, turned, "the same arc");
         assert_eq!(
             arc.to_string(),
-            "Valley e3 Left | e4 End: (0 1) t=0 -> (2 1) t=0.5",
+            "Valley e3 Left | e4 End'': (0 1) t=0 -> (2 1) t=0.5",
             "its text"
         );
     }

@@ -13,15 +13,17 @@
 //! vertices 20 0, 22 0, 21 3
 //! edges 0 1, 1 2
 //! speeds 1 1, 1 3
+//! changes 0 both 2.5 0, 1 left 1 4
 //! ```
 //!
 //! A line of speeds belongs to the ring, line or graph before it: one number per edge of a ring,
-//! left and right per edge of the others. Numbers are exact: the shortest text that reads back
-//! as the same f64.
+//! left and right per edge of the others. So does a line of changes of speed: edge, sides
+//! (`left`, `right` or `both`), time and speed from then on. Numbers are exact: the shortest text that
+//! reads back as the same f64.
 
 use std::fmt::Write as _;
 
-use hipline::input::InvalidFigure;
+use hipline::input::{Change, InvalidFigure, Place, Sides};
 use hipline::{Figure, FigureBuilder, Region};
 
 /// A ring or line: its points.
@@ -64,6 +66,8 @@ pub struct Case {
     pub region: Region,
     /// The input.
     pub parts: Vec<Part>,
+    /// How speeds change; places are numbered by `parts`.
+    pub changes: Vec<Change>,
 }
 
 /// Why a text is not a case.
@@ -137,10 +141,48 @@ impl Case {
     /// Whether any speed is given.
     #[must_use]
     pub fn is_weighted(&self) -> bool {
-        self.parts.iter().any(|part| match part {
+        let given = self.parts.iter().any(|part| match part {
             Part::Polygon { speeds, .. } => !speeds.is_empty(),
             Part::Line { speeds, .. } | Part::Graph { speeds, .. } => !speeds.is_empty(),
-        })
+        });
+        given || !self.changes.is_empty()
+    }
+
+    /// The number of edges of a ring of a part, or of a line or graph (as its ring 0).
+    #[must_use]
+    pub fn edges(&self, part: usize, ring: usize) -> usize {
+        match &self.parts[part] {
+            Part::Polygon { rings, .. } => rings[ring].len(),
+            Part::Line { points, .. } => points.len() - 1,
+            Part::Graph { edges, .. } => edges.len(),
+        }
+    }
+
+    /// All edges, by part and ring.
+    #[must_use]
+    pub fn places(&self) -> Vec<Place> {
+        let mut places = Vec::new();
+        for (part, content) in self.parts.iter().enumerate() {
+            let rings = if let Part::Polygon { rings, .. } = content {
+                rings.len()
+            } else {
+                1
+            };
+            for ring in 0..rings {
+                let count = self.edges(part, ring);
+                places.extend((0..count).map(|index| Place { part, ring, index }));
+            }
+        }
+        places
+    }
+
+    /// Renames the places of changes; changes of edges that are no more are dropped.
+    pub fn renumber(&mut self, place: impl Fn(Place) -> Option<Place>) {
+        self.changes.retain_mut(|change| {
+            let renamed = place(change.edge);
+            change.edge = renamed.unwrap_or(change.edge);
+            renamed.is_some()
+        });
     }
 
     /// All that is in it, for the library to check.
@@ -165,6 +207,9 @@ impl Case {
                 } => builder.weighted_graph(vertices, edges, speeds),
             };
         }
+        self.changes
+            .iter()
+            .for_each(|&change| builder.change(change));
         builder
     }
 
@@ -193,7 +238,14 @@ impl Case {
             Region::Exterior => line("region exterior", Vec::new()),
             Region::Both => line("region both", Vec::new()),
         }
-        for part in &self.parts {
+        for (p, part) in self.parts.iter().enumerate() {
+            let changes = |ring: usize| {
+                let of = self.changes.iter().filter(|change| {
+                    let Place { part, ring: r, .. } = change.edge;
+                    (part, r) == (p, ring)
+                });
+                of.map(change_text).collect::<Vec<_>>()
+            };
             match part {
                 Part::Polygon { rings, speeds } => {
                     line("polygon", Vec::new());
@@ -201,6 +253,9 @@ impl Case {
                         line("ring", pairs(ring));
                         if let Some(speeds) = speeds.get(r) {
                             line("speeds", speeds.iter().map(ToString::to_string).collect());
+                        }
+                        if !changes(r).is_empty() {
+                            line("changes", changes(r));
                         }
                     }
                 }
@@ -213,10 +268,13 @@ impl Case {
                     line("edges", pairs(edges));
                 }
             }
-            if let Part::Line { speeds, .. } | Part::Graph { speeds, .. } = part
-                && !speeds.is_empty()
-            {
-                line("speeds", pairs(speeds));
+            if let Part::Line { speeds, .. } | Part::Graph { speeds, .. } = part {
+                if !speeds.is_empty() {
+                    line("speeds", pairs(speeds));
+                }
+                if !changes(0).is_empty() {
+                    line("changes", changes(0));
+                }
             }
         }
         text
@@ -277,6 +335,16 @@ impl Case {
             ("speeds", Some(Part::Line { speeds, .. } | Part::Graph { speeds, .. })) => {
                 *speeds = read_pairs(rest)?
             }
+            ("changes", Some(part)) => {
+                let ring = match part {
+                    Part::Polygon { rings, .. } => rings.len().checked_sub(1),
+                    _ => Some(0),
+                };
+                let ring = ring.ok_or("changes of no ring")?;
+                let part = self.parts.len() - 1;
+                let read = rest.split(',').map(|item| read_change(item, part, ring));
+                self.changes.extend(read.collect::<Result<Vec<_>, _>>()?);
+            }
             ("vertices", Some(Part::Graph { vertices, .. })) => *vertices = read_pairs(rest)?,
             ("edges", Some(Part::Graph { edges, .. })) => *edges = read_pairs(rest)?,
             _ => return Err("unknown word, or in the wrong place"),
@@ -287,6 +355,40 @@ impl Case {
 
 fn pairs<T: std::fmt::Display>(list: &[[T; 2]]) -> Vec<String> {
     list.iter().map(|[a, b]| format!("{a} {b}")).collect()
+}
+
+fn change_text(change: &Change) -> String {
+    let sides = match change.sides {
+        Sides::Left => "left",
+        Sides::Right => "right",
+        Sides::Both => "both",
+    };
+    let Change {
+        edge, time, speed, ..
+    } = change;
+    format!("{} {sides} {time} {speed}", edge.index)
+}
+
+fn read_change(text: &str, part: usize, ring: usize) -> Result<Change, &'static str> {
+    let words: Vec<&str> = text.split_whitespace().collect();
+    let &[index, sides, time, speed] = words.as_slice() else {
+        return Err("a change is edge, sides, time and speed");
+    };
+    let sides = match sides {
+        "left" => Sides::Left,
+        "right" => Sides::Right,
+        "both" => Sides::Both,
+        _ => return Err("sides are left, right or both"),
+    };
+    let (Ok(index), Ok(time), Ok(speed)) = (index.parse(), time.parse(), speed.parse()) else {
+        return Err("not a number");
+    };
+    Ok(Change {
+        edge: Place { part, ring, index },
+        sides,
+        time,
+        speed,
+    })
 }
 
 fn read_pairs<T: std::str::FromStr>(text: &str) -> Result<Vec<[T; 2]>, &'static str> {
@@ -307,7 +409,8 @@ mod tests {
     #[test]
     fn text_reads_back() {
         let text = "# odd numbers\nregion both\npolygon\nring 0 0, 8.1 0, 8 1e-30\nspeeds 1, 2, 0.5\n\
-                    line 9 0, 9 5, 12 -5\nspeeds 1 1, 0.5 2\ngraph\nvertices 20 0, 22 0, 21 3\nedges 0 1, 1 2\n";
+                    changes 2 left 0.1 0, 0 both 3 2\nline 9 0, 9 5, 12 -5\nspeeds 1 1, 0.5 2\n\
+                    changes 1 right 1 7\ngraph\nvertices 20 0, 22 0, 21 3\nedges 0 1, 1 2\n";
         let case = Case::parse(text).expect("it is well-formed");
         assert_eq!(
             Case::parse(&case.to_text()),
@@ -319,6 +422,20 @@ mod tests {
             (9, true, 3),
             "{case:?}"
         );
+        let [first, _, last] = case.changes[..] else {
+            panic!("three changes: {case:?}");
+        };
+        assert_eq!(
+            (
+                first.edge.part,
+                first.edge.index,
+                first.sides,
+                first.time.to_bits()
+            ),
+            (0, 2, Sides::Left, 0.1_f64.to_bits()),
+            "{first:?}"
+        );
+        assert_eq!((last.edge.part, last.edge.index), (1, 1), "{last:?}");
         let error = ParseError {
             line: 2,
             reason: "not a pair of numbers",

@@ -1,5 +1,7 @@
 //! Maps of cases under which results must map along.
 
+use hipline::input::{Change, Place, Sides};
+
 use crate::agreement::{Drawn, End};
 use crate::case::{Case, Part};
 use crate::generate::Random;
@@ -78,8 +80,8 @@ impl Map {
     /// The mapped case. (Of translations, only exact ones are laws: see that coordinates are
     /// integers or the like.)
     #[must_use]
-    pub fn apply(self, case: &Case) -> Case {
-        let mut case = case.clone();
+    pub fn apply(self, before: &Case) -> Case {
+        let mut case = before.clone();
         for part in &mut case.parts {
             part.points_mut()
                 .for_each(|point| *point = self.point(*point).map(|x| x + 0.0));
@@ -107,7 +109,49 @@ impl Map {
         if let Self::Order(seed) = self {
             Random::new(seed).shuffle(&mut case.parts);
         }
+        case.changes = before
+            .changes
+            .iter()
+            .map(|change| self.change(before, change))
+            .collect();
         case
+    }
+
+    /// A change of speed, mapped.
+    fn change(self, before: &Case, change: &Change) -> Change {
+        let mut change = *change;
+        let Place { part, ring, index } = change.edge;
+        match self {
+            Self::SwapAxes | Self::Mirror => {
+                change.sides = match change.sides {
+                    Sides::Left => Sides::Right,
+                    Sides::Right => Sides::Left,
+                    Sides::Both => Sides::Both,
+                };
+            }
+            Self::Scale(power) => change.time *= 2.0_f64.powi(power),
+            Self::Start(by) => {
+                if let Part::Polygon { rings, .. } = &before.parts[part] {
+                    let count = rings[ring].len();
+                    change.edge.index = (index + count - by % count) % count;
+                }
+            }
+            Self::Order(seed) => {
+                let shuffled = |count: usize, of: usize| {
+                    let mut order: Vec<usize> = (0..count).collect();
+                    Random::new(seed).shuffle(&mut order);
+                    order.iter().position(|&old| old == of).expect("in range")
+                };
+                if let Part::Polygon { rings, .. } = &before.parts[part]
+                    && ring > 0
+                {
+                    change.edge.ring = 1 + shuffled(rings.len() - 1, ring - 1);
+                }
+                change.edge.part = shuffled(before.parts.len(), part);
+            }
+            Self::Turn | Self::Translate(_) => {}
+        }
+        change
     }
 
     /// An arc's end, mapped. Scaling scales times too; speeds stay as they are.

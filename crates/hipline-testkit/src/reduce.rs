@@ -1,10 +1,12 @@
 //! From a case that fails to the smallest one that still does.
 
+use hipline::input::{Change, Place, Sides};
+
 use crate::case::{Case, Part, Points};
 
 /// Makes a case smaller, step by step, as long as it still fails.
 ///
-/// Takes away parts, rings, vertices and edges, then weights, then digits of coordinates. `fails`
+/// Takes away parts, rings, vertices, edges and changes of speed, then weights, then digits of numbers. `fails`
 /// must say no to cases that are no figures; it is called some thousand times.
 #[must_use]
 pub fn reduce(case: &Case, mut fails: impl FnMut(&Case) -> bool) -> Case {
@@ -25,7 +27,7 @@ fn simpler(a: &Case, b: &Case) -> bool {
     let weight = |case: &Case| {
         let mut bare = case.clone();
         bare.comments.clear();
-        let pieces: usize = case.parts.iter().map(pieces).sum();
+        let pieces = case.parts.iter().map(pieces).sum::<usize>() + case.changes.len();
         let large: f64 = bare
             .clone()
             .parts
@@ -33,6 +35,7 @@ fn simpler(a: &Case, b: &Case) -> bool {
             .flat_map(Part::points_mut)
             .flatten()
             .map(|x| x.abs())
+            .chain(case.changes.iter().map(|change| change.time + change.speed))
             .sum();
         (pieces, bare.to_text().len(), large)
     };
@@ -55,23 +58,79 @@ fn steps(case: &Case) -> Vec<Case> {
     for p in 0..case.parts.len() {
         let mut without = case.clone();
         without.parts.remove(p);
+        without.renumber(|mut place| {
+            let kept = place.part != p;
+            place.part -= usize::from(place.part > p);
+            kept.then_some(place)
+        });
         if !without.parts.is_empty() {
             found.push(without);
         }
     }
+    if !case.changes.is_empty() {
+        let mut without = case.clone();
+        without.changes.clear();
+        found.push(without);
+    }
     for (p, part) in case.parts.iter().enumerate() {
-        for smaller in smaller_parts(part) {
+        for (smaller, names) in smaller_parts(part) {
             let mut next = case.clone();
             next.parts[p] = smaller;
+            next.renumber(|place| {
+                if place.part != p {
+                    return Some(place);
+                }
+                let name = names
+                    .iter()
+                    .find(|(old, _)| *old == [place.ring, place.index]);
+                name.map(|&(_, [ring, index])| Place {
+                    part: p,
+                    ring,
+                    index,
+                })
+            });
             found.push(next);
         }
     }
+    found.extend(simpler_changes(case));
     found.extend(simpler_numbers(case));
     found
 }
 
-/// A part with a piece taken away, or with a weight.
-fn smaller_parts(part: &Part) -> Vec<Part> {
+/// Without one of the changes, or with a simpler one.
+fn simpler_changes(case: &Case) -> Vec<Case> {
+    let mut found = Vec::new();
+    for c in 0..case.changes.len() {
+        let mut without = case.clone();
+        without.changes.remove(c);
+        found.push(without);
+        let mut simpler = |f: &dyn Fn(&mut Change)| {
+            let mut next = case.clone();
+            f(&mut next.changes[c]);
+            found.push(next);
+        };
+        simpler(&|change| change.sides = Sides::Both);
+        simpler(&|change| change.time = 1.0);
+        simpler(&|change| change.time = change.time.round());
+        simpler(&|change| change.time = (change.time * 0.5).ceil());
+        simpler(&|change| change.speed = 0.0);
+        simpler(&|change| change.speed = 1.0);
+        simpler(&|change| change.speed = change.speed.ceil());
+    }
+    found
+}
+
+/// Old and new ring and number of edges.
+type Names = Vec<([usize; 2], [usize; 2])>;
+
+/// The names of the edges of ring 0, from their old numbers.
+fn names(old: &[usize]) -> Names {
+    let numbered = old.iter().enumerate();
+    numbered.map(|(new, &old)| ([0, old], [0, new])).collect()
+}
+
+/// A part with a piece taken away, or with a weight; and how its edges are called then.
+fn smaller_parts(part: &Part) -> Vec<(Part, Names)> {
     match part {
         Part::Polygon { rings, speeds } => smaller_polygons(rings, speeds),
         Part::Line { points, speeds } => smaller_lines(points, speeds),
@@ -83,121 +142,147 @@ fn smaller_parts(part: &Part) -> Vec<Part> {
     }
 }
 
-fn smaller_polygons(rings: &[Points], speeds: &[Vec<f64>]) -> Vec<Part> {
+fn smaller_polygons(rings: &[Points], speeds: &[Vec<f64>]) -> Vec<(Part, Names)> {
     type Speeds = Vec<Vec<f64>>;
-    let mut found: Vec<(Vec<Points>, Speeds)> = Vec::new();
-    let mut change = |f: &dyn Fn(&mut Vec<Points>, &mut Speeds)| {
-        let (mut rings, mut speeds) = (rings.to_vec(), speeds.to_vec());
-        f(&mut rings, &mut speeds);
-        found.push((rings, speeds));
+    type Edges = Vec<Vec<[usize; 2]>>;
+    let mut found: Vec<(Vec<Points>, Speeds, Edges)> = Vec::new();
+    let olds: Edges = (0..rings.len())
+        .map(|r| (0..rings[r].len()).map(|e| [r, e]).collect())
+        .collect();
+    let mut change = |f: &dyn Fn(&mut Vec<Points>, &mut Speeds, &mut Edges)| {
+        let (mut rings, mut speeds, mut olds) = (rings.to_vec(), speeds.to_vec(), olds.clone());
+        f(&mut rings, &mut speeds, &mut olds);
+        found.push((rings, speeds, olds));
     };
     for r in 0..rings.len() {
-        change(&|rings, speeds| {
+        change(&|rings, speeds, olds| {
             rings.remove(r);
+            olds.remove(r);
             if r < speeds.len() {
                 speeds.remove(r);
             }
         });
     }
     for (r, v) in (0..rings.len()).flat_map(|r| (0..rings[r].len()).map(move |v| (r, v))) {
-        change(&|rings, speeds| {
+        change(&|rings, speeds, olds| {
             rings[r].remove(v);
+            olds[r].remove(v);
             if r < speeds.len() {
                 speeds[r].remove(v);
             }
         });
     }
     if !speeds.is_empty() {
-        change(&|_, speeds| speeds.clear());
+        change(&|_, speeds, _| speeds.clear());
     }
     for (r, v) in (0..speeds.len()).flat_map(|r| (0..speeds[r].len()).map(move |v| (r, v))) {
-        change(&|_, speeds| speeds[r][v] = 1.0);
+        change(&|_, speeds, _| speeds[r][v] = 1.0);
     }
-    found.retain(|(rings, _)| rings.first().is_some_and(|ring| ring.len() > 2));
-    found
-        .into_iter()
-        .map(|(rings, speeds)| Part::Polygon { rings, speeds })
-        .collect()
+    found.retain(|(rings, ..)| rings.first().is_some_and(|ring| ring.len() > 2));
+    let named = |(rings, speeds, olds): (Vec<Points>, Speeds, Edges)| {
+        let mut names = Names::new();
+        for (r, ring) in olds.iter().enumerate() {
+            names.extend(ring.iter().enumerate().map(|(e, &old)| (old, [r, e])));
+        }
+        (Part::Polygon { rings, speeds }, names)
+    };
+    found.into_iter().map(named).collect()
 }
 
-fn smaller_lines(points: &Points, speeds: &[[f64; 2]]) -> Vec<Part> {
-    let mut found: Vec<(Points, Vec<[f64; 2]>)> = Vec::new();
+fn smaller_lines(points: &Points, speeds: &[[f64; 2]]) -> Vec<(Part, Names)> {
+    let all: Vec<usize> = (0..points.len() - 1).collect();
+    let mut found: Vec<(Points, Vec<[f64; 2]>, Vec<usize>)> = Vec::new();
     for v in 0..points.len() {
-        let mut next = (points.clone(), speeds.to_vec());
+        let mut next = (points.clone(), speeds.to_vec(), all.clone());
         next.0.remove(v);
+        let edge = v.min(all.len() - 1);
+        next.2.remove(edge);
         if !next.1.is_empty() {
-            next.1.remove(v.min(speeds.len() - 1));
+            next.1.remove(edge);
         }
         found.push(next);
     }
     found.extend(
         simpler_speeds(speeds)
             .into_iter()
-            .map(|speeds| (points.clone(), speeds)),
+            .map(|speeds| (points.clone(), speeds, all.clone())),
     );
-    found.retain(|(points, _)| points.len() > 1);
+    found.retain(|(points, ..)| points.len() > 1);
     found
         .into_iter()
-        .map(|(points, speeds)| Part::Line { points, speeds })
+        .map(|(points, speeds, old)| (Part::Line { points, speeds }, names(&old)))
         .collect()
 }
 
-fn smaller_graphs(vertices: &Points, edges: &[[usize; 2]], speeds: &[[f64; 2]]) -> Vec<Part> {
-    let mut found = Vec::new();
+fn smaller_graphs(
+    vertices: &Points,
+    edges: &[[usize; 2]],
+    speeds: &[[f64; 2]],
+) -> Vec<(Part, Names)> {
+    type Parts = (Vec<[usize; 2]>, Vec<[f64; 2]>, Vec<usize>);
+    let all: Vec<usize> = (0..edges.len()).collect();
+    let mut found: Vec<Parts> = Vec::new();
     for drop in 0..vertices.len() {
         // Without a vertex; its two neighbours are joined if there are just two.
-        let around: Vec<usize> = edges
+        let around: Vec<(usize, usize)> = edges
             .iter()
-            .filter_map(|&[a, b]| {
+            .enumerate()
+            .filter_map(|(e, &[a, b])| {
                 if a == drop {
-                    Some(b)
+                    Some((b, e))
                 } else {
-                    (b == drop).then_some(a)
+                    (b == drop).then_some((a, e))
                 }
             })
             .collect();
-        let kept = || (0..edges.len()).filter(|&e| !edges[e].contains(&drop));
-        let mut rest: Vec<[usize; 2]> = kept().map(|e| edges[e]).collect();
-        let mut its: Vec<[f64; 2]> = kept().filter_map(|e| speeds.get(e).copied()).collect();
-        if let [a, b] = around[..] {
-            let (mut joined, mut joined_speeds) = (rest.clone(), its.clone());
+        let kept: Vec<usize> = (0..edges.len())
+            .filter(|&e| !edges[e].contains(&drop))
+            .collect();
+        let rest: Vec<[usize; 2]> = kept.iter().map(|&e| edges[e]).collect();
+        let its: Vec<[f64; 2]> = kept
+            .iter()
+            .filter_map(|&e| speeds.get(e).copied())
+            .collect();
+        if let [(a, e), (b, _)] = around[..] {
+            let (mut joined, mut its, mut kept) = (rest.clone(), its.clone(), kept.clone());
             joined.push([a, b]);
-            if !speeds.is_empty() {
-                joined_speeds.push([1.0, 1.0]);
-            }
-            found.push((joined, joined_speeds));
+            kept.push(e);
+            its.extend(speeds.get(e));
+            found.push((joined, its, kept));
         }
-        found.push((std::mem::take(&mut rest), std::mem::take(&mut its)));
+        found.push((rest, its, kept));
     }
     for e in 0..edges.len() {
-        let (mut rest, mut its) = (edges.to_vec(), speeds.to_vec());
+        let (mut rest, mut its, mut kept) = (edges.to_vec(), speeds.to_vec(), all.clone());
         rest.remove(e);
+        kept.remove(e);
         if !its.is_empty() {
             its.remove(e);
         }
-        found.push((rest, its));
+        found.push((rest, its, kept));
     }
     found.extend(
         simpler_speeds(speeds)
             .into_iter()
-            .map(|speeds| (edges.to_vec(), speeds)),
+            .map(|speeds| (edges.to_vec(), speeds, all.clone())),
     );
-    let compact = |(mut edges, speeds): (Vec<[usize; 2]>, Vec<[f64; 2]>)| {
+    let compact = |(mut edges, speeds, old): Parts| {
         let used: Vec<usize> = (0..vertices.len())
             .filter(|v| edges.iter().flatten().any(|end| end == v))
             .collect();
         for end in edges.iter_mut().flatten() {
             *end = used.iter().position(|v| v == end).expect("it is used");
         }
-        Part::Graph {
+        let graph = Part::Graph {
             vertices: used.iter().map(|&v| vertices[v]).collect(),
             edges,
             speeds,
-        }
+        };
+        (graph, names(&old))
     };
     found
         .into_iter()
-        .filter(|(edges, _)| !edges.is_empty())
+        .filter(|(edges, ..)| !edges.is_empty())
         .map(compact)
         .collect()
 }
@@ -210,6 +295,9 @@ fn simpler_speeds(speeds: &[[f64; 2]]) -> Vec<Vec<[f64; 2]>> {
     for (i, side) in (0..speeds.len()).flat_map(|i| [(i, 0), (i, 1)]) {
         let mut next = speeds.to_vec();
         next[i][side] = 1.0;
+        found.push(next);
+        let mut next = speeds.to_vec();
+        next[i][side] = next[i][1 - side];
         found.push(next);
     }
     found
@@ -239,6 +327,14 @@ fn simpler_numbers(case: &Case) -> Vec<Case> {
     for factor in [0.1, 0.5] {
         all(&|p| p.map(|x| (x * factor).round()));
         all(&|p| p.map(|x| x * factor));
+    }
+    for factor in [0.1, 0.5] {
+        let mut next = case.clone();
+        let points = next.parts.iter_mut().flat_map(Part::points_mut);
+        points.for_each(|point| *point = point.map(|x| x * factor));
+        let changes = next.changes.iter_mut();
+        changes.for_each(|change| change.time *= factor);
+        found.push(next);
     }
     let count = case.size();
     for (v, axis) in (0..count).flat_map(|v| [(v, 0), (v, 1)]) {

@@ -318,3 +318,65 @@ fn the_earlier_of_two_equally_fast_sides_wins() {
         .expect("between edges 0 and 2");
     assert_eq!(ghost.nodes[0], 2, "it starts where the slow edge ends");
 }
+
+#[test]
+fn edges_that_stand_still_are_gables() {
+    let result = check(
+        "polygon\nring 0 0, 8 0, 8 4, 0 4\nspeeds 1, 0, 1, 0",
+        &[([8.0, 2.0, 2.0], 3), ([0.0, 2.0, 2.0], 3)],
+    );
+    assert_eq!(count(&result), [5, 0, 0, 0, 1], "a ridge over the house");
+}
+
+#[test]
+fn a_square_with_a_break_is_a_mansard_roof() {
+    let corners = [[1.0, 1.0], [7.0, 1.0], [7.0, 7.0], [1.0, 7.0]];
+    let mut nodes: Vec<([f64; 3], usize)> = corners.map(|[x, y]| ([x, y, 1.0], 4)).to_vec();
+    nodes.push(([4.0, 4.0, 2.5], 4));
+    let result = check(
+        "polygon\nring 0 0, 8 0, 8 8, 0 8\nchanges 0 both 1 2, 1 both 1 2, 2 both 1 2, 3 both 1 2",
+        &nodes,
+    );
+    assert_eq!(
+        count(&result),
+        [8, 0, 0, 0, 4],
+        "two ridges over each corner"
+    );
+    let later = result.faces.iter().filter(|(.., phase)| *phase == 1);
+    assert_eq!(later.count(), 4, "each slope has an upper part");
+}
+
+#[test]
+fn a_terminal_opens_when_a_side_starts() {
+    let result = check(
+        "region both\nline 0 0, 4 0\nspeeds 0 0\nchanges 0 left 2 1",
+        &[([0.0, 0.0, 2.0], 4), ([4.0, 0.0, 2.0], 4)],
+    );
+    // The right side stands for ever, and grows at both ends.
+    let due = [[-1.0, 0.0], [-1.0, 1.0], [1.0, 0.0], [1.0, 1.0]];
+    assert_eq!(directions(&result), due, "of its four vertices");
+    let upright = result.arcs.iter().filter(|arc| {
+        let [a, b] = arc.nodes.map(|node| result.nodes[node]);
+        b.time.is_finite() && a.time < b.time
+    });
+    assert_eq!(upright.count(), 2, "one at each closed end");
+}
+
+#[test]
+fn of_equally_fast_neighbours_the_one_that_will_be_faster_wins() {
+    let text = "region both\nline 0 0, 2 0, 4 0\nspeeds 1 1, 1 1\nchanges 0 left 3 2";
+    let result = run(text);
+    let vertices =
+        |arc: &&hipline_testkit::reference::RefArc| arc.nodes.iter().all(|&node| node < 3);
+    let over: Vec<_> = result.arcs.iter().filter(vertices).collect();
+    assert_eq!(over.len(), 1, "the left side of the second edge is covered");
+    let names = over[0].faces.map(|face| result.faces[face]);
+    assert!(
+        names.contains(&(1, hipline::skeleton::Side::Left, 0)),
+        "{names:?}"
+    );
+    assert!(
+        names.contains(&(0, hipline::skeleton::Side::Left, 0)),
+        "{names:?}"
+    );
+}

@@ -1,24 +1,32 @@
-//! The library against the reference engine, arc for arc and bit for bit, on random small cases.
+//! The library against the reference engine, arc for arc and bit for bit, on random small cases; and its own
+//! verification.
 //!
-//! In release builds 20,000 seeds; in debug builds, which are some twenty times slower, 500.
+//! In release builds 20,000 seeds, and 10,000 with speeds of zero and speeds that change; in debug
+//! builds, which are some twenty times slower, 500 and 300.
 //! `HIPLINE_CASES` sets another count, and a longer run goes by
 //! `cargo run --release -p hipline-testkit --example hunt -- FIRST COUNT`.
 
 use std::thread;
 
+use hipline_testkit::Case;
+use hipline_testkit::generate::{small, small_weighted};
 use hipline_testkit::hunt::hunt;
 
-#[test]
-fn agrees_with_the_reference() {
+/// Runs the seeds of a kind of cases.
+fn agrees(generate: fn(u64) -> Case, release: u64, debug: u64) {
     let count = std::env::var("HIPLINE_CASES")
         .ok()
         .and_then(|count| count.parse().ok())
-        .unwrap_or(if cfg!(debug_assertions) { 500 } else { 20_000 });
+        .unwrap_or(if cfg!(debug_assertions) {
+            debug
+        } else {
+            release
+        });
     let threads = thread::available_parallelism().map_or(1, |n| n.get() as u64);
     println!("seeds 0 to {count} on {threads} threads");
     let found: Vec<_> = thread::scope(|scope| {
         let running: Vec<_> = (0..threads)
-            .map(|k| scope.spawn(move || hunt((k..count).step_by(threads as usize), 3)))
+            .map(|k| scope.spawn(move || hunt(generate, (k..count).step_by(threads as usize), 3)))
             .collect();
         let joined = running.into_iter().map(|thread| thread.join());
         joined
@@ -31,4 +39,14 @@ fn agrees_with_the_reference() {
         .map(|(case, how)| format!("{}{how}", case.to_text()))
         .collect();
     assert!(report.is_empty(), "{}", report.join("\n\n"));
+}
+
+#[test]
+fn agrees_with_the_reference() {
+    agrees(small, 20_000, 500);
+}
+
+#[test]
+fn agrees_with_the_reference_on_changing_speeds() {
+    agrees(small_weighted, 10_000, 300);
 }

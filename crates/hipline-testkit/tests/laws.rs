@@ -3,7 +3,7 @@
 use hipline::Region;
 use hipline_testkit::agreement::drawn_reference;
 use hipline_testkit::case::Case;
-use hipline_testkit::generate::{Family, small};
+use hipline_testkit::generate::{Family, small, small_weighted};
 use hipline_testkit::metamorphic::Map;
 use hipline_testkit::reference::{Graph, RefKind, Reference, check_laws, reference};
 
@@ -26,8 +26,8 @@ fn run(case: &Case, region: Region) -> (Graph, Reference) {
 #[test]
 fn results_obey_the_laws() {
     let mut wrong = Vec::new();
-    for seed in 0..cases() {
-        let case = small(seed);
+    let all = (0..cases()).flat_map(|seed| [small(seed), small_weighted(seed)]);
+    for case in all {
         let (graph, result) = run(&case, Region::Both);
         if let Err(law) = check_laws(&graph, &result) {
             wrong.push(format!("{law}\n{}", case.to_text()));
@@ -46,22 +46,33 @@ fn results_obey_the_laws() {
 fn cases_cover_the_degeneracies() {
     let mut seen = std::collections::BTreeMap::new();
     let mut sizes = [0_usize; 41];
-    for seed in 0..cases() {
-        let case = small(seed);
+    let all = (0..cases()).flat_map(|seed| [small(seed), small_weighted(seed)]);
+    for case in all {
         let (graph, result) = run(&case, Region::Both);
         sizes[graph.edges.len().min(40)] += 1;
         let degrees = result.degrees();
         let mut found = std::collections::BTreeSet::new();
         for arc in &result.arcs {
             let [from, to] = arc.nodes.map(|node| result.nodes[node].time);
-            let end = if to.is_infinite() {
+            let [p, q] = arc.nodes.map(|node| result.nodes[node]);
+            let upright = match q.kind {
+                RefKind::Infinite([x, y]) => x == 0.0 && y == 0.0,
+                _ => (0..2).all(|k| p.place[k].total_cmp(&q.place[k]).is_eq()),
+            };
+            let end = if upright && to.is_infinite() {
+                "upright unbounded"
+            } else if upright {
+                "upright"
+            } else if to.is_infinite() {
                 "unbounded"
             } else if from.total_cmp(&to).is_eq() {
                 if to > 0.0 { "level" } else { "level at 0" }
             } else {
                 "ordinary"
             };
-            let weighted = if case.is_weighted() {
+            let weighted = if !case.changes.is_empty() {
+                "changing"
+            } else if case.is_weighted() {
                 "weighted"
             } else {
                 "plain"
@@ -85,6 +96,14 @@ fn cases_cover_the_degeneracies() {
         "weighted level Ridge",
         "weighted level at 0 Ridge",
         "weighted ordinary Ghost",
+        "weighted upright Valley",
+        "weighted upright unbounded Ghost",
+        "changing level Crease",
+        "changing level Ridge",
+        "changing level at 0 Ridge",
+        "changing upright Ridge",
+        "changing upright Ghost",
+        "changing ordinary Ghost",
         "node of 5 arcs",
         "node of 6 arcs",
         "node of 8 arcs",
@@ -95,8 +114,8 @@ fn cases_cover_the_degeneracies() {
 
 #[test]
 fn halves_add_up_to_the_whole() {
-    for seed in 0..cases() / 4 {
-        let case = small(seed);
+    let all = (0..cases() / 4).flat_map(|seed| [small(seed), small_weighted(seed)]);
+    for case in all {
         let whole = drawn_reference(&run(&case, Region::Both).1);
         let mut halves = drawn_reference(&run(&case, Region::Interior).1);
         halves.extend(drawn_reference(&run(&case, Region::Exterior).1));
@@ -108,8 +127,8 @@ fn halves_add_up_to_the_whole() {
 #[test]
 fn results_map_along() {
     let mut wrong = Vec::new();
-    for seed in 0..cases() / 4 {
-        let case = small(seed);
+    let all = (0..cases() / 4).flat_map(|seed| [small(seed), small_weighted(seed)]);
+    for case in all {
         let before = drawn_reference(&run(&case, Region::Both).1);
         for map in Map::some() {
             if map.swaps_sides() && case.is_weighted() {

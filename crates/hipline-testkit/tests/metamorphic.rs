@@ -9,7 +9,7 @@ use std::thread;
 use common::{count, field, run};
 use hipline_testkit::Case;
 use hipline_testkit::agreement::drawn;
-use hipline_testkit::generate::{Family, small};
+use hipline_testkit::generate::{Family, small, small_weighted};
 use hipline_testkit::metamorphic::Map;
 
 /// Whether a map moves every point without rounding.
@@ -62,6 +62,11 @@ fn check(cases: impl Iterator<Item = Case> + Clone + Send) {
 #[test]
 fn small_cases_map_along() {
     check((0..count(4000, 200)).map(small));
+}
+
+#[test]
+fn changing_speeds_map_along() {
+    check((0..count(4000, 200)).map(small_weighted));
 }
 
 #[test]

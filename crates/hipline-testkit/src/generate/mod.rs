@@ -6,7 +6,9 @@ mod maze;
 mod random;
 mod shapes;
 mod small;
+mod weighted;
 
 pub use family::Family;
 pub use random::Random;
 pub use small::{Kind, small, small_of, weigh};
+pub use weighted::{Weights, change_speeds, small_weighted};

@@ -14,18 +14,14 @@ impl Wave<'_> {
     ///
     /// Every event shows up as one of these two: convex vertices are only ever met by the
     /// shrinking of edges, or by reflex vertices.
-    pub(super) fn next_event(&mut self) -> Option<Ratio> {
+    fn next_event(&mut self) -> Option<Ratio> {
         let mut best: Option<Rc<Ratio>> = None;
         for p in 0..self.pieces.len() {
             let (start, end) = self.ends(p);
-            let face = self.pieces[p].face;
+            let plane = self.plane(self.pieces[p].face);
             let key = (start.id, end.id, u32::MAX);
             let model = self.model;
-            let time = self.time_of(key, || {
-                start
-                    .motion
-                    .joins(&model.field, &end.motion, &model.faces[face])
-            });
+            let time = self.time_of(key, || start.motion.joins(&model.field, &end.motion, plane));
             if let Some(time) = time.filter(|time| self.is_before(time, best.as_ref())) {
                 best = Some(time);
             }
@@ -37,14 +33,13 @@ impl Wave<'_> {
             let corner = self.pieces[v].corner.clone();
             for p in 0..self.pieces.len() {
                 let face = self.pieces[p].face;
+                let plane = self.plane(face);
                 if p == v || p == self.pieces[v].next || corner.faces.contains(&face) {
                     continue;
                 }
                 let key = (corner.id, face as u32, 0);
                 let model = self.model;
-                let time = self.time_of(key, || {
-                    corner.motion.reaches(&model.field, &model.faces[face])
-                });
+                let time = self.time_of(key, || corner.motion.reaches(&model.field, plane));
                 if let Some(time) = time.filter(|time| self.is_before(time, best.as_ref()))
                     && self.hits(&corner, p, &time)
                 {
@@ -53,6 +48,28 @@ impl Wave<'_> {
             }
         }
         best.map(|time| (*time).clone())
+    }
+
+    /// The next moment at which anything happens: an event, or a change of speed of what is there.
+    pub(super) fn next_moment(&mut self) -> Option<Ratio> {
+        let event = self.next_event();
+        let field = &self.model.field;
+        let mut best = event;
+        let planes = self.pieces.iter().flat_map(|piece| {
+            let terminal = piece.corner.terminal;
+            let terminal = terminal.map(|course| self.model.plane_at(course, &self.time));
+            [Some(self.faces[piece.face]), terminal]
+        });
+        for later in planes.flatten().filter_map(|p| self.model.planes[p].later) {
+            let time = &self.model.planes[later].start;
+            if best
+                .as_ref()
+                .is_none_or(|best| time.compare(best, field) == Ordering::Less)
+            {
+                best = Some(time.clone());
+            }
+        }
+        best
     }
 
     /// The corners at the start and the end of a piece.
@@ -91,7 +108,7 @@ impl Wave<'_> {
             return known;
         }
         let field = &self.model.field;
-        let direction = &self.model.faces[self.pieces[piece].face].direction;
+        let direction = &self.plane(self.pieces[piece].face).direction;
         let axis = usize::from(direction[0] == IBig::ZERO);
         let place = corner.motion.coordinate(field, axis, time);
         let wrong = if direction[axis] > IBig::ZERO {

@@ -1,6 +1,7 @@
 //! What the reference engine takes: vertices and edges as plain data.
 
 use hipline::Figure;
+use hipline::skeleton::Side;
 
 /// A planar straight-line graph as plain data; the caller vouches for its being one.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -9,6 +10,21 @@ pub struct Graph {
     pub vertices: Vec<[f64; 2]>,
     /// Edges that meet in vertices only.
     pub edges: Vec<GraphEdge>,
+    /// Changes of speed; those of one side in the order of time.
+    pub changes: Vec<GraphChange>,
+}
+
+/// From a time on, one side of an edge moves at another speed.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct GraphChange {
+    /// The edge.
+    pub edge: usize,
+    /// Its right side, not its left one?
+    pub right: bool,
+    /// From when on.
+    pub time: f64,
+    /// The speed from then on.
+    pub speed: f64,
 }
 
 /// One edge of a [`Graph`].
@@ -32,6 +48,16 @@ impl From<&Figure> for Graph {
         Self {
             vertices: figure.vertices().to_vec(),
             edges: edges.collect(),
+            changes: figure
+                .changes()
+                .iter()
+                .map(|change| GraphChange {
+                    edge: change.edge.index(),
+                    right: change.right,
+                    time: change.time,
+                    speed: change.speed,
+                })
+                .collect(),
         }
     }
 }
@@ -63,6 +89,42 @@ impl Graph {
             let speed = speeds.get(i).copied().unwrap_or(1.0);
             self.edge(from, points[(i + 1) % points.len()], [speed; 2], true);
         }
+    }
+
+    /// The speeds of one side of an edge, or of a terminal of it: each with the time from which on it
+    /// holds, the first one 0. A terminal has the larger one of the speeds of the two sides.
+    #[must_use]
+    pub fn speeds(&self, edge: usize, side: Side) -> Vec<[f64; 2]> {
+        let of = |right: bool| {
+            let mut list = vec![[0.0, self.edges[edge].speeds[usize::from(right)]]];
+            let changes = self
+                .changes
+                .iter()
+                .filter(|change| change.edge == edge && change.right == right);
+            list.extend(changes.map(|change| [change.time, change.speed]));
+            list
+        };
+        let at = |list: &[[f64; 2]], time: f64| {
+            let now = list.iter().rev().find(|entry| entry[0] <= time);
+            now.expect("lists start at 0")[1]
+        };
+        let mut list = match side {
+            Side::Left => of(false),
+            Side::Right => of(true),
+            Side::Start | Side::End => {
+                let sides = [of(false), of(true)];
+                let mut times: Vec<f64> = sides.iter().flatten().map(|entry| entry[0]).collect();
+                times.sort_by(f64::total_cmp);
+                let fastest = |time: f64| at(&sides[0], time).max(at(&sides[1], time));
+                times
+                    .into_iter()
+                    .map(|time| [time, fastest(time)])
+                    .collect()
+            }
+        };
+        // What stays the same is no change.
+        list.dedup_by(|later, earlier| later[1].total_cmp(&earlier[1]).is_eq());
+        list
     }
 
     /// Adds an open polyline; missing speeds are 1.

@@ -30,24 +30,29 @@ pub fn check_laws(graph: &Graph, result: &Reference) -> Result<(), String> {
     counts(graph, result, events().map(|n| degrees[n] - 2).sum())
 }
 
-/// 2m + t faces, and 2n + t - 2 nodes (Lemma 2 of the 1996 paper), for the whole plane. With
+/// 2m + t faces of phase 0, and 2n + t - 2 nodes (Lemma 2 of the 1996 paper), for the whole plane. With
 /// weights, an overrun splits no face but adds an arc; equality is only sure without.
 fn counts(graph: &Graph, result: &Reference, events: usize) -> Result<(), String> {
     let caps = result
         .faces
         .iter()
-        .filter(|(_, side)| matches!(side, Side::Start | Side::End))
+        .filter(|(_, side, phase)| *phase == 0 && matches!(side, Side::Start | Side::End))
         .count();
-    if result.faces.len() != 2 * graph.edges.len() + caps {
+    let first = result
+        .faces
+        .iter()
+        .filter(|(.., phase)| *phase == 0)
+        .count();
+    if first != 2 * graph.edges.len() + caps {
         return Err(format!(
-            "{} faces, {} edges, {caps} caps",
-            result.faces.len(),
+            "{first} faces, {} edges, {caps} caps",
             graph.edges.len()
         ));
     }
     let speeds = || graph.edges.iter().flat_map(|edge| edge.speeds);
-    let equal = speeds().all(|speed| speed.total_cmp(&graph.edges[0].speeds[0]).is_eq());
-    if !equal || result.covered.contains(&false) {
+    let first_speed = graph.edges[0].speeds[0];
+    let equal = speeds().all(|speed| speed > 0.0 && speed.total_cmp(&first_speed).is_eq());
+    if !equal || !graph.changes.is_empty() || result.covered.contains(&false) {
         return Ok(());
     }
     let infinite = result
@@ -72,17 +77,23 @@ fn heights(graph: &Graph, result: &Reference) -> Result<(), String> {
         .fold(0.0_f64, |size, x| size.max(x.abs()));
     for (a, arc) in result.arcs.iter().enumerate() {
         for face in arc.faces {
-            let (edge, side) = result.faces[face];
+            let (edge, side, phase) = result.faces[face];
+            let speeds = graph.speeds(edge, side);
             let edge = &graph.edges[edge];
             let [p, q] = edge.ends.map(|end| graph.vertices[end]);
-            let [left, right] = edge.speeds;
             let along = [q[0] - p[0], q[1] - p[1]];
-            let (normal, speed, from) = match side {
-                Side::Left => ([-along[1], along[0]], left, p),
-                Side::Right => ([along[1], -along[0]], right, p),
-                Side::Start => ([-along[0], -along[1]], left.max(right), p),
-                Side::End => (along, left.max(right), q),
+            let (normal, from) = match side {
+                Side::Left => ([-along[1], along[0]], p),
+                Side::Right => ([along[1], -along[0]], p),
+                Side::Start => ([-along[0], -along[1]], p),
+                Side::End => (along, q),
             };
+            let phase = phase as usize;
+            let earlier: f64 = (0..phase)
+                .map(|k| (speeds[k + 1][0] - speeds[k][0]) * speeds[k][1])
+                .sum();
+            let [since, speed] = speeds[phase];
+            let until = speeds.get(phase + 1).map_or(f64::INFINITY, |next| next[0]);
             let length = along[0].hypot(along[1]);
             for RefNode {
                 place: [x, y],
@@ -91,8 +102,12 @@ fn heights(graph: &Graph, result: &Reference) -> Result<(), String> {
             } in arc.nodes.map(|node| result.nodes[node])
             {
                 let distance = (normal[0] * (x - from[0]) + normal[1] * (y - from[1])) / length;
-                let error = (distance - speed * time).abs();
-                if time.is_finite() && error > 1e-12 * (size + x.abs() + y.abs() + speed * time) {
+                if time < since || (time.is_finite() && time > until) {
+                    return Err(format!("arc {a} is not of the time of face {face}"));
+                }
+                let due = earlier + speed * (time - since);
+                let error = (distance - due).abs();
+                if time.is_finite() && error > 1e-12 * (size + x.abs() + y.abs() + due) {
                     return Err(format!(
                         "arc {a} leaves the plane of face {face} by {error:e}"
                     ));
@@ -105,12 +120,12 @@ fn heights(graph: &Graph, result: &Reference) -> Result<(), String> {
 
 /// The boundary of a face returns to where it came from, and goes around a positive area.
 fn closes(graph: &Graph, result: &Reference, face: usize) -> Result<(), String> {
-    let (edge, side) = result.faces[face];
+    let (edge, side, phase) = result.faces[face];
     let [p, q] = graph.edges[edge].ends;
     let mut steps = match side {
-        Side::Left => vec![[p, q]],
-        Side::Right => vec![[q, p]],
-        Side::Start | Side::End => Vec::new(),
+        Side::Left if phase == 0 => vec![[p, q]],
+        Side::Right if phase == 0 => vec![[q, p]],
+        _ => Vec::new(),
     };
     for arc in &result.arcs {
         let [a, b] = arc.nodes;

@@ -18,6 +18,6 @@ mod rebuild;
 mod result;
 mod wave;
 
-pub use graph::{Graph, GraphEdge};
+pub use graph::{Graph, GraphChange, GraphEdge};
 pub use laws::check_laws;
 pub use result::{RefArc, RefKind, RefNode, Reference, reference};

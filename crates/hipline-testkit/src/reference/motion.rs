@@ -4,7 +4,7 @@ use std::cmp::Ordering;
 
 use dashu_int::IBig;
 
-use super::model::{Face, cross, dot};
+use super::model::{Plane, cross, dot};
 use super::number::{Field, Num};
 use super::ratio::Ratio;
 
@@ -26,24 +26,28 @@ pub(super) struct Point {
 
 impl Motion {
     /// Where the planes of two faces that are not parallel intersect.
-    pub(super) fn meet(field: &Field, i: &Face, j: &Face) -> Self {
+    pub(super) fn meet(field: &Field, i: &Plane, j: &Plane) -> Self {
         let ([ai, bi], [aj, bj]) = (&i.normal, &j.normal);
         let m = cross(&i.normal, &j.normal);
-        let levels = [&i.level * bj - &j.level * bi, &j.level * ai - &i.level * aj];
+        let levels = [
+            i.level.times(bj).minus(&j.level.times(bi)),
+            j.level.times(ai).minus(&i.level.times(aj)),
+        ];
         let rates = [
             i.rate.times(bj).minus(&j.rate.times(bi)),
             j.rate.times(ai).minus(&i.rate.times(aj)),
         ];
         Self {
-            at: levels.map(Num::from),
+            at: levels,
             velocity: rates,
             over: m.into(),
         }
         .reduced(field)
     }
 
-    /// The foot of a ghost arc: it leaves `point` at `time`, perpendicular to the face's edge.
-    pub(super) fn ghost(field: &Field, face: &Face, point: &Point, time: &Ratio) -> Self {
+    /// It leaves `point` at `time`, perpendicular to the face's edge, with its speed: the foot of a
+    /// ghost arc, or the end of an edge both sides of which stand still.
+    pub(super) fn ghost(field: &Field, face: &Plane, point: &Point, time: &Ratio) -> Self {
         let square = dot(&face.normal, &face.normal);
         let (tn, td) = time.parts();
         let scale = td.times(&square);
@@ -112,11 +116,10 @@ impl Motion {
     }
 
     /// When the place is on the plane of a face; `None` for never or always.
-    pub(super) fn reaches(&self, field: &Field, face: &Face) -> Option<Ratio> {
+    pub(super) fn reaches(&self, field: &Field, face: &Plane) -> Option<Ratio> {
         let [a, b] = &face.normal;
-        let gap = self
-            .over
-            .times(&face.level)
+        let gap = field
+            .mul(&self.over, &face.level)
             .minus(&self.at[0].times(a))
             .minus(&self.at[1].times(b));
         let closing = self.velocity[0].times(a).plus(&self.velocity[1].times(b));
@@ -128,7 +131,7 @@ impl Motion {
     }
 
     /// When two places on the plane of one face coincide; `None` for never or always.
-    pub(super) fn joins(&self, field: &Field, other: &Self, face: &Face) -> Option<Ratio> {
+    pub(super) fn joins(&self, field: &Field, other: &Self, face: &Plane) -> Option<Ratio> {
         let axis = usize::from(face.direction[0] == IBig::ZERO);
         let gap = field
             .mul(&other.at[axis], &self.over)

@@ -3,7 +3,7 @@
 use hipline::skeleton::{ArcKind, Region, Side};
 
 use super::graph::Graph;
-use super::model::Model;
+use super::model::{Model, Plane};
 use super::wave::{RawArc, RawNode, Wave};
 
 /// What a node is.
@@ -47,8 +47,8 @@ pub struct Reference {
     pub nodes: Vec<RefNode>,
     /// The arcs.
     pub arcs: Vec<RefArc>,
-    /// The faces: edge and side.
-    pub faces: Vec<(usize, Side)>,
+    /// The faces: edge, side and phase. First those of phase 0, by edge, then side.
+    pub faces: Vec<(usize, Side, u32)>,
     /// Which faces are in the region asked for.
     pub covered: Vec<bool>,
     /// At how many different moments something happened.
@@ -78,11 +78,7 @@ pub fn reference(graph: &Graph, region: Region) -> Reference {
     let mut result = Reference {
         nodes: Vec::new(),
         arcs: Vec::new(),
-        faces: model
-            .faces
-            .iter()
-            .map(|face| (face.edge, face.side))
-            .collect(),
+        faces: model.planes[..model.courses].iter().map(name).collect(),
         covered: model
             .inside
             .iter()
@@ -93,11 +89,11 @@ pub fn reference(graph: &Graph, region: Region) -> Reference {
     // The two halves of the plane never touch, so each has a simulation of its own.
     for &half in halves {
         let mut wave = Wave::start(&model, |face| model.inside[face] == half);
-        while let Some(time) = wave.next_event() {
+        while let Some(time) = wave.next_moment() {
             wave.advance(time);
             result.moments += 1;
             assert!(
-                result.moments <= 100 * (graph.edges.len() + 1),
+                result.moments <= 100 * (model.planes.len() + 1),
                 "the wavefront never comes to rest"
             );
         }
@@ -105,6 +101,11 @@ pub fn reference(graph: &Graph, region: Region) -> Reference {
         result.add(&model, &wave);
     }
     result
+}
+
+/// How the faces on a plane are called.
+const fn name(plane: &Plane) -> (usize, Side, u32) {
+    (plane.edge, plane.side, plane.phase)
 }
 
 impl Wave<'_> {
@@ -156,12 +157,24 @@ impl Reference {
             self.nodes.push(rounded);
         }
         let number = |node: usize| if node < vertices { node } else { node + offset };
+        let later = self.faces.len() - model.courses;
+        for &plane in &wave.faces[model.courses..] {
+            self.faces.push(name(&model.planes[plane]));
+            self.covered.push(true);
+        }
+        let face = |face: usize| {
+            if face < model.courses {
+                face
+            } else {
+                face + later
+            }
+        };
         self.arcs.extend(
             wave.arcs
                 .iter()
                 .map(|&RawArc { nodes, faces, kind }| RefArc {
                     nodes: nodes.map(number),
-                    faces,
+                    faces: faces.map(face),
                     kind,
                 }),
         );

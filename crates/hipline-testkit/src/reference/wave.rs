@@ -7,7 +7,7 @@ use std::rc::Rc;
 use dashu_int::IBig;
 use hipline::skeleton::ArcKind;
 
-use super::model::{Face, Model, cross, dot};
+use super::model::{Model, Plane, cross, dot};
 use super::motion::{Motion, Point};
 use super::ratio::Ratio;
 
@@ -23,6 +23,8 @@ pub(super) struct Corner {
     pub faces: [usize; 2],
     /// `Greater` for convex, `Less` for reflex, `Equal` for the foot of a ghost arc.
     pub turn: Ordering,
+    /// The terminal that has not moved yet, at the end of an edge both sides of which stand still.
+    pub terminal: Option<usize>,
 }
 
 /// An edge of the wavefront; its start is the corner of the one before.
@@ -76,6 +78,8 @@ pub(super) struct RawArc {
 pub(super) struct Wave<'a> {
     pub model: &'a Model,
     pub time: Ratio,
+    /// The plane of each face; the first faces are those of phase 0, in the order of their planes.
+    pub faces: Vec<usize>,
     pub pieces: Vec<Piece>,
     pub nodes: Vec<RawNode>,
     pub arcs: Vec<RawArc>,
@@ -92,6 +96,7 @@ impl<'a> Wave<'a> {
         let mut wave = Self {
             model,
             time: Ratio::zero(),
+            faces: (0..model.courses).collect(),
             pieces: Vec::new(),
             nodes: Vec::new(),
             arcs: Vec::new(),
@@ -106,16 +111,23 @@ impl<'a> Wave<'a> {
                 time: Ratio::zero(),
             }));
         let nodes = (0..points.len()).map(Some).collect();
-        let links = model.faces.iter().enumerate().map(|(f, face)| Link {
+        let first = model.planes[..model.courses].iter().enumerate();
+        let links = first.map(|(f, plane)| Link {
             face: f,
-            from: face.ends[0],
-            to: face.ends[1],
+            from: plane.ends[0],
+            to: plane.ends[1],
             next: model.next[f],
             corner: None,
-            alive: take(f),
+            // Terminals are put in where their edge ends in nothing.
+            alive: take(f) && plane.ends[0] != plane.ends[1],
         });
         wave.settle(links.collect(), &mut Places { points, nodes });
         wave
+    }
+
+    /// On what the wavefront edges of a face move.
+    pub(super) fn plane(&self, face: usize) -> &'a Plane {
+        &self.model.planes[self.faces[face]]
     }
 
     /// The node at a place, made when first asked for.
@@ -153,13 +165,15 @@ impl<'a> Wave<'a> {
     }
 
     /// An arc of one height between two places; the faces on its left and right.
-    pub(super) fn level_arc(&mut self, places: &mut Places, ends: [usize; 2], faces: [usize; 2]) {
+    pub(super) fn level_arc(
+        &mut self,
+        places: &mut Places,
+        ends: [usize; 2],
+        faces: [usize; 2],
+        kind: ArcKind,
+    ) {
         let nodes = ends.map(|place| self.node(places, place));
-        self.arcs.push(RawArc {
-            nodes,
-            faces,
-            kind: ArcKind::Ridge,
-        });
+        self.arcs.push(RawArc { nodes, faces, kind });
     }
 
     /// Joins what is one, lets the faster of parallel neighbours win, makes the new corners.
@@ -169,6 +183,7 @@ impl<'a> Wave<'a> {
             self.overrun(&mut links, places, link, fast);
             join_equals(&mut links);
         }
+        self.emit_terminals(&mut links, places);
         let alive: Vec<usize> = (0..links.len()).filter(|&l| links[l].alive).collect();
         let mut rank = vec![usize::MAX; links.len()];
         for (new, &old) in alive.iter().enumerate() {
@@ -179,11 +194,8 @@ impl<'a> Wave<'a> {
             let link = links[l].clone();
             let corner = link.corner.unwrap_or_else(|| {
                 let origin = self.node(places, link.to);
-                self.corner(
-                    origin,
-                    &places.points[link.to],
-                    [link.face, links[link.next].face],
-                )
+                let faces = [link.face, links[link.next].face];
+                self.corner(origin, &places.points[link.to], faces)
             });
             pieces.push(Piece {
                 face: link.face,
@@ -199,17 +211,82 @@ impl<'a> Wave<'a> {
         self.pieces = pieces;
     }
 
+    /// Where the wavefront turns back at the end of an edge: the terminal there emits its wavefront
+    /// edge as soon as anything moves.
+    fn emit_terminals(&mut self, links: &mut Vec<Link>, places: &mut Places) {
+        for l in 0..links.len() {
+            let next = links[l].next;
+            if !links[l].alive {
+                continue;
+            }
+            let sides = [links[l].face, links[next].face].map(|face| self.plane(face));
+            if !turns_back(sides[0], sides[1]) {
+                continue;
+            }
+            let place = links[l].to;
+            let course = self.terminal_at(&places.points[place]);
+            let plane = self.model.plane_at(course, &self.time);
+            if sides.iter().all(|side| side.stands()) && self.model.planes[plane].stands() {
+                continue;
+            }
+            if let Some(corner) = links[l].corner.take() {
+                let node = self.node(places, place);
+                self.finish(&corner, node);
+            }
+            let face = if plane < self.model.courses {
+                plane
+            } else {
+                self.face(plane)
+            };
+            links[l].next = links.len();
+            links.push(Link {
+                face,
+                from: place,
+                to: place,
+                next,
+                corner: None,
+                alive: true,
+            });
+        }
+    }
+
+    /// The terminal at a place where a wavefront turns back: nothing else can be there.
+    fn terminal_at(&self, point: &Point) -> usize {
+        let Model {
+            points,
+            field,
+            terminals,
+            ..
+        } = self.model;
+        let vertex = points
+            .iter()
+            .position(|vertex| Point::integer(vertex).compare(point, field) == Ordering::Equal);
+        let terminal = vertex.and_then(|vertex| terminals[vertex]);
+        terminal.expect("the wavefront turns back at terminals only")
+    }
+
+    /// A new face on a plane of a later phase.
+    pub(super) fn face(&mut self, plane: usize) -> usize {
+        self.faces.push(plane);
+        self.faces.len() - 1
+    }
+
     fn corner(&mut self, origin: usize, point: &Point, faces: [usize; 2]) -> Rc<Corner> {
-        let [i, j] = faces.map(|f| &self.model.faces[f]);
-        let turn = cross(&i.direction, &j.direction).cmp(&IBig::ZERO);
-        let motion = if turn == Ordering::Equal {
-            assert!(
-                same_direction(i, j),
-                "wavefront edges of faces {faces:?} lie on each other"
-            );
-            Motion::ghost(&self.model.field, i, point, &self.time)
-        } else {
+        let [i, j] = faces.map(|face| self.plane(face));
+        let mut turn = cross(&i.direction, &j.direction).cmp(&IBig::ZERO);
+        let mut terminal = None;
+        let motion = if turn != Ordering::Equal {
             Motion::meet(&self.model.field, i, j)
+        } else {
+            if turns_back(i, j) {
+                assert!(
+                    i.stands() && j.stands(),
+                    "wavefront edges of faces {faces:?} lie on each other"
+                );
+                terminal = Some(self.terminal_at(point));
+                turn = Ordering::Less;
+            }
+            Motion::ghost(&self.model.field, i, point, &self.time)
         };
         self.corners += 1;
         Rc::new(Corner {
@@ -218,6 +295,7 @@ impl<'a> Wave<'a> {
             origin,
             faces,
             turn,
+            terminal,
         })
     }
 
@@ -225,31 +303,47 @@ impl<'a> Wave<'a> {
     /// the link before the corner, and the faster link. Of equally fast edges, those go first
     /// that overrun the edge after them (the unswept side on their left). A slow edge between
     /// two equally fast ones thus falls to the one before it.
+    ///
+    /// Of edges that are equally fast now, the faster one is the one that will be, as soon as they differ.
     fn next_overrun(&self, links: &[Link]) -> Option<(usize, usize)> {
-        let faces = &self.model.faces;
         let mut best: Option<(usize, usize)> = None;
         for (l, link) in links.iter().enumerate().filter(|(_, link)| link.alive) {
-            let (i, j) = (&faces[link.face], &faces[links[link.next].face]);
-            if !same_direction(i, j) || i.speed == j.speed {
+            let [i, j] = [link.face, links[link.next].face];
+            if !same_direction(self.plane(i), self.plane(j)) {
                 continue;
             }
-            let fast = if i.speed > j.speed { l } else { link.next };
-            let key = |(before, fast): (usize, usize)| {
-                let face = links[fast].face;
-                (&faces[face].speed, before == fast, std::cmp::Reverse(face))
+            let fast = match self.model.faster(self.faces[i], self.faces[j]) {
+                Ordering::Greater => l,
+                Ordering::Equal => continue,
+                Ordering::Less => link.next,
             };
-            if best.is_none_or(|best| key((l, fast)) > key(best)) {
+            if best.is_none_or(|best| self.is_before_overrun(links, (l, fast), best)) {
                 best = Some((l, fast));
             }
         }
         best
     }
 
+    /// Does the first of two overruns come before the second?
+    fn is_before_overrun(
+        &self,
+        links: &[Link],
+        (l, fast): (usize, usize),
+        (k, other): (usize, usize),
+    ) -> bool {
+        let [i, j] = [fast, other].map(|link| self.faces[links[link].face]);
+        let order = self.model.faster(i, j);
+        let order = order.then((l == fast).cmp(&(k == other)));
+        let course = |plane: usize| self.model.planes[plane].course;
+        order.then(course(j).cmp(&course(i))) == Ordering::Greater
+    }
+
     /// Removes the slower of two parallel neighbours at once, along its whole length.
     fn overrun(&mut self, links: &mut [Link], places: &mut Places, link: usize, fast: usize) {
         let slow = if fast == link { links[link].next } else { link };
         let Link { from, to, next, .. } = links[slow];
-        self.level_arc(places, [from, to], [links[fast].face, links[slow].face]);
+        let faces = [links[fast].face, links[slow].face];
+        self.level_arc(places, [from, to], faces, ArcKind::Ridge);
         links[slow].alive = false;
         if fast == link {
             if let Some(corner) = links[slow].corner.take() {
@@ -273,8 +367,13 @@ impl<'a> Wave<'a> {
 }
 
 /// Do the two wavefront edges run in one direction?
-fn same_direction(i: &Face, j: &Face) -> bool {
+fn same_direction(i: &Plane, j: &Plane) -> bool {
     cross(&i.direction, &j.direction) == IBig::ZERO && dot(&i.direction, &j.direction) > IBig::ZERO
+}
+
+/// Do they run in opposite directions?
+fn turns_back(i: &Plane, j: &Plane) -> bool {
+    cross(&i.direction, &j.direction) == IBig::ZERO && dot(&i.direction, &j.direction) < IBig::ZERO
 }
 
 /// Neighbours that belong to one face are one edge.
