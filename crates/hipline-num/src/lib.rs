@@ -21,6 +21,7 @@
 mod ball;
 mod ball_dd;
 mod dyadic;
+mod length;
 mod number;
 mod rounding;
 mod rungs;
@@ -33,6 +34,7 @@ mod wide;
 pub use ball::Ball;
 pub use ball_dd::BallDd;
 pub use dyadic::{f64_to_parts, ilog2};
+pub use length::{Segment, compare_lengths, distance, exponent_above, hypot};
 pub use number::Number;
 pub use rounding::{
     compare_quotient_f64, round_ball_dd, round_ball_dd_plus, round_quotient, round_quotient_plus,

@@ -21,7 +21,10 @@ mod level;
 mod lift;
 mod parts;
 
+pub(crate) use lift::Lift;
+
 use crate::{input::Figure, skeleton::Skeleton, topology::FaceId};
+use hipline_num::hypot;
 
 /// A distance that is negative, infinite or no number.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
@@ -71,14 +74,14 @@ impl OffsetLoop {
         twice / 2.0
     }
 
-    /// The length, in input units, up to rounding.
+    /// The length, in input units, up to rounding; of the same bits on every platform.
     #[must_use]
     pub fn perimeter(&self) -> f64 {
         let next = self.points.iter().skip(1).chain(self.points.first());
         self.points
             .iter()
             .zip(next)
-            .map(|(p, q)| (q[0] - p[0]).hypot(q[1] - p[1]))
+            .map(|(p, q)| hypot(q[0] - p[0], q[1] - p[1]))
             .sum()
     }
 }
