@@ -7,12 +7,16 @@ use clap::{
     builder::{PossibleValuesParser, TypedValueParser},
 };
 use hipline::{Region, skeleton::Options};
-use hipline_io::{Format, write::Layers};
+use hipline_io::{
+    Format,
+    write::{Layers, Measure},
+};
 
 const EXAMPLES: &str = "\
 Examples:
   hipline skeleton village.geojson -o village.svg
   hipline offset park.wkt --step 0.5 -o park.png
+  hipline centreline river.geojson --prune-ratio 1 --extend -o middle.geojson
   hipline roof house.geojson --slope 35deg -o house.obj -o house.png
   hipline skeleton parcels.geojson > parcels.json
   hipline check parcels.geojson --result parcels.json
@@ -34,6 +38,7 @@ pub struct Args {
 pub enum Command {
     Skeleton(SkeletonArgs),
     Offset(OffsetArgs),
+    Centreline(CentrelineArgs),
     Roof(RoofArgs),
     Check(CheckArgs),
     Draw(DrawArgs),
@@ -264,6 +269,80 @@ pub struct OffsetArgs {
     pub skeleton: bool,
     #[command(flatten, next_help_heading = "Pictures")]
     pub size: SizeArgs,
+}
+
+/// Find the line in the middle: the approximate medial axis.
+///
+/// Writes lines between the places where it ends or branches, as data (geojson, wkt) or over the
+/// figure (svg, png). Each point has its time, half the local width: as height in GeoJSON, as
+/// --measure says in WKT. GeoJSON has the widths and the length as properties, too.
+///
+/// A branch runs from an end inwards until it meets a longer one, or a cycle. Neither cycles nor
+/// the longest branch of a part without cycles are ever dropped.
+///
+/// Without -o, GeoJSON goes to standard output.
+#[derive(Debug, Parser)]
+#[command(after_help = "\
+Examples:
+  hipline centreline river.geojson --prune-ratio 1 --extend -o middle.geojson
+  hipline centreline lake.wkt --longest -o label.wkt --measure m
+  hipline centreline streets.geojson --prune 12 -o streets.svg --skeleton")]
+pub struct CentrelineArgs {
+    #[command(flatten)]
+    pub input: InputArgs,
+
+    /// Drop branches shorter than this, in input units
+    #[arg(long, value_name = "LENGTH", default_value_t = 0.0,
+          allow_hyphen_values = true, value_parser = distance)]
+    pub prune: f64,
+
+    /// Drop branches shorter than so many times the width where they end
+    #[arg(long, value_name = "RATIO", default_value_t = 0.0,
+          allow_hyphen_values = true, value_parser = distance)]
+    pub prune_ratio: f64,
+
+    /// Keep the longest branch only; where there are holes, the cycles and what joins them
+    #[arg(long)]
+    pub longest: bool,
+
+    /// Carry the ends on to the boundary
+    #[arg(long)]
+    pub extend: bool,
+
+    /// What the numbers after x and y are in WKT
+    #[arg(long, value_name = "MEASURE", default_value = "zm")]
+    pub measure: MeasureArg,
+
+    #[command(flatten)]
+    pub compute: ComputeArgs,
+    #[command(flatten)]
+    pub output: OutputArgs,
+
+    /// Draw the skeleton under the lines
+    #[arg(long, help_heading = "Pictures")]
+    pub skeleton: bool,
+    #[command(flatten, next_help_heading = "Pictures")]
+    pub size: SizeArgs,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum MeasureArg {
+    /// LINESTRING Z: the time
+    Z,
+    /// LINESTRING M: the time
+    M,
+    /// LINESTRING ZM: the time and the width
+    Zm,
+}
+
+impl From<MeasureArg> for Measure {
+    fn from(measure: MeasureArg) -> Self {
+        match measure {
+            MeasureArg::Z => Self::Z,
+            MeasureArg::M => Self::M,
+            MeasureArg::Zm => Self::Zm,
+        }
+    }
 }
 
 /// Build the hip roof over polygons.

@@ -724,3 +724,79 @@ fn the_village() {
         "ok: 26 skeletons verified: 353 nodes, 329 arcs, 202 faces\n"
     );
 }
+
+#[test]
+fn centrelines_have_times_and_widths() {
+    let output = run(&["centreline", "-", "--extend"], RECTANGLE);
+    assert_eq!(code(&output), 0, "{}", err(&output));
+    let feature = &json(out(&output))["features"][0];
+    let line = "[[0,2,0],[2,2,2],[6,2,2],[8,2,0]]";
+    assert_eq!(feature["geometry"]["type"], "LineString");
+    assert_eq!(feature["geometry"]["coordinates"], json(line));
+    let properties = &feature["properties"];
+    for (name, value) in [
+        ("source", "0"),
+        ("closed", "false"),
+        ("length", "8"),
+        ("width_min", "0"),
+        ("width_max", "4"),
+        ("width_mean", "3"),
+        ("widths", "[0,4,4,0]"),
+    ] {
+        let found = &properties[name];
+        let expected = json(value);
+        let same = found == &expected || found.as_f64() == expected.as_f64();
+        assert!(same, "{name}: {found}");
+    }
+    for (measure, line) in [
+        ("z", "LINESTRING Z (2 2 2, 6 2 2)"),
+        ("m", "LINESTRING M (2 2 2, 6 2 2)"),
+        ("zm", "LINESTRING ZM (2 2 2 4, 6 2 2 4)"),
+    ] {
+        let output = run(
+            &["centreline", "-", "--format", "wkt", "--measure", measure],
+            RECTANGLE,
+        );
+        assert_eq!(out(&output).trim(), line);
+    }
+}
+
+#[test]
+fn centrelines_are_pruned() {
+    // A bar with a stem of length 7 in the middle.
+    let tee = "POLYGON ((0 0, 9 0, 9 -6, 11 -6, 11 0, 20 0, 20 4, 0 4))";
+    for (args, count) in [
+        (&["--prune", "7"][..], 3),
+        (&["--prune", "7.5"], 1),
+        (&["--prune-ratio", "2"], 1),
+        (&["--longest"], 1),
+    ] {
+        let all = ["centreline", "-", "--format", "wkt"];
+        let output = run(&[&all[..], args].concat(), tee);
+        assert_eq!(out(&output).lines().count(), count, "{args:?}");
+    }
+    for wrong in ["-1", "nan", "inf", "x"] {
+        let output = run(&["centreline", "-", "--prune", wrong], tee);
+        assert_eq!(code(&output), 2, "{wrong}: {}", err(&output));
+    }
+}
+
+#[test]
+fn centrelines_are_drawn() {
+    let scratch = Scratch::new("centreline");
+    let river = concat!(env!("CARGO_MANIFEST_DIR"), "/../../corpus/river.wkt");
+    for (name, magic) in [("a.svg", &b"<svg "[..]), ("a.png", b"\x89PNG")] {
+        let path = scratch.path(name);
+        let output = run(&["centreline", river, "-o", &path, "--size", "64"], "");
+        assert_eq!(code(&output), 0, "{}", err(&output));
+        let bytes = fs::read(&path).unwrap();
+        assert!(bytes.starts_with(magic), "{name}");
+        let is_svg = magic.starts_with(b"<");
+        assert!(
+            !is_svg
+                || String::from_utf8(bytes)
+                    .unwrap()
+                    .contains("<g id=\"offsets\"")
+        );
+    }
+}

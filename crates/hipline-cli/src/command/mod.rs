@@ -1,5 +1,6 @@
 //! One module a command.
 
+mod centreline;
 mod check;
 mod draw;
 mod offset;
@@ -24,6 +25,7 @@ pub fn run(command: Command) -> Result<Outcome, Failure> {
     match command {
         Command::Skeleton(args) => skeleton::run(&args),
         Command::Offset(args) => offset::run(&args),
+        Command::Centreline(args) => centreline::run(&args),
         Command::Roof(args) => roof::run(&args),
         Command::Check(args) => check::run(&args),
         Command::Draw(args) => draw::run(&args),

@@ -57,19 +57,19 @@ pub fn lines_geojson<'a>(
     collection.finish()
 }
 
-struct Collection<'w, W> {
+pub(super) struct Collection<'w, W> {
     w: &'w mut W,
     is_first: bool,
 }
 
 impl<'w, W: Write> Collection<'w, W> {
-    fn new(w: &'w mut W) -> io::Result<Self> {
+    pub(super) fn new(w: &'w mut W) -> io::Result<Self> {
         w.write_all(b"{\"type\":\"FeatureCollection\",\"features\":[")?;
         Ok(Self { w, is_first: true })
     }
 
     /// Starts a feature; its properties are next.
-    fn next(&mut self) -> io::Result<&mut W> {
+    pub(super) fn next(&mut self) -> io::Result<&mut W> {
         self.w
             .write_all(if self.is_first { b"\n" } else { b",\n" })?;
         self.is_first = false;
@@ -77,7 +77,7 @@ impl<'w, W: Write> Collection<'w, W> {
         Ok(self.w)
     }
 
-    fn finish(self) -> io::Result<()> {
+    pub(super) fn finish(self) -> io::Result<()> {
         self.w.write_all(b"\n]}\n")
     }
 }

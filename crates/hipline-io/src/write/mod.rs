@@ -5,6 +5,7 @@
 //! cut off at a window.
 
 mod atomic;
+mod centreline;
 mod geojson;
 mod json;
 mod number;
@@ -22,6 +23,7 @@ mod window;
 mod wkt;
 
 pub use atomic::write_atomically;
+pub use centreline::{Measure, centreline_geojson, centreline_wkt};
 pub use geojson::{geojson, lines_geojson};
 pub use json::{ResultsJson, json};
 pub use obj::{ObjWriter, obj};
