@@ -93,6 +93,7 @@ fn help() {
         Commands:
           skeleton     Compute the straight skeletons of a file's features
           offset       Move a figure's edges by given distances
+          centreline   Find the line in the middle: the approximate medial axis
           roof         Build the hip roof over polygons
           check        Check an input, or a result against it
           draw         Draw an input or a skeleton as it is, without computing
@@ -106,6 +107,7 @@ fn help() {
         Examples:
           hipline skeleton village.geojson -o village.svg
           hipline offset park.wkt --step 0.5 -o park.png
+          hipline centreline river.geojson --prune-ratio 1 --extend -o middle.geojson
           hipline roof house.geojson --slope 35deg -o house.obj -o house.png
           hipline skeleton parcels.geojson > parcels.json
           hipline check parcels.geojson --result parcels.json
