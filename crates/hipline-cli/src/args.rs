@@ -229,9 +229,9 @@ pub struct SkeletonArgs {
 
 /// Move a figure's edges by given distances.
 ///
-/// Writes pictures (svg, png) of the offsets over the figure, or data (geojson, wkt): what
-/// remains of an interior as polygons with holes, other offsets as closed lines with the swept
-/// part on the left. Each has its distance: as a property in GeoJSON, as height in WKT.
+/// Writes pictures (svg, png) of the offsets over the figure, or polygons with holes (geojson,
+/// wkt): what remains of an interior; around the outside of polygons and around lines, the figure
+/// grown. Each has its distance: as a property in GeoJSON, as height in WKT.
 ///
 /// Without -o, GeoJSON goes to standard output.
 #[derive(Debug, Parser)]
@@ -258,6 +258,10 @@ pub struct OffsetArgs {
     #[arg(long, value_name = "N", requires = "step", conflicts_with = "distance",
           value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
     pub count: Option<u32>,
+
+    /// Tell in GeoJSON which input edge each edge comes from, as [part, ring, edge]
+    #[arg(long)]
+    pub edges: bool,
 
     #[command(flatten)]
     pub compute: ComputeArgs,

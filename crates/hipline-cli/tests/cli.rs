@@ -432,8 +432,10 @@ fn offsets_as_data() {
     let features = features["features"].as_array().unwrap();
     assert_eq!(features.len(), 2);
     assert_eq!(features[0]["properties"]["distance"], 1.0);
-    assert_eq!(features[0]["geometry"]["type"], "Polygon");
-    let rings = features[0]["geometry"]["coordinates"].as_array().unwrap();
+    assert_eq!(features[0]["geometry"]["type"], "MultiPolygon");
+    let polygons = features[0]["geometry"]["coordinates"].as_array().unwrap();
+    assert_eq!(polygons.len(), 1);
+    let rings = polygons[0].as_array().unwrap();
     assert_eq!(rings.len(), 2, "with its hole");
     for ring in rings {
         let ring = ring.as_array().unwrap();
@@ -457,17 +459,47 @@ fn offsets_as_data() {
     let features = json(out(&output));
     let features = features["features"].as_array().unwrap();
     assert_eq!(features.len(), 2);
-    assert_eq!(features[1]["geometry"]["type"], "LineString");
-    let ring: Vec<[f64; 2]> =
+    assert_eq!(features[1]["geometry"]["type"], "MultiPolygon");
+    let polygons: Vec<Vec<Vec<[f64; 2]>>> =
         serde_json::from_value(features[1]["geometry"]["coordinates"].clone()).unwrap();
+    let [rings] = &polygons[..] else {
+        panic!("one polygon: {polygons:?}")
+    };
+    let [ring] = &rings[..] else {
+        panic!("no hole: {rings:?}")
+    };
     let area: f64 = ring
         .windows(2)
         .map(|e| e[0][0] * e[1][1] - e[1][0] * e[0][1])
         .sum();
+    assert_eq!((area / 2.0).to_string(), "96", "grown, counterclockwise");
+
+    // Around lines, too; and every edge tells where it comes from.
+    let args = ["offset", "-", "--distance", "1,3", "--edges"];
+    let frame = "MULTILINESTRING ((0 0, 8 0, 8 8, 0 8, 0 0), (20 0, 28 0))";
+    let output = run(&args, frame);
+    let features = json(out(&output));
+    let shapes = features["features"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .map(|feature| {
+            let edges: Vec<Vec<Vec<[usize; 3]>>> =
+                serde_json::from_value(feature["properties"]["edges"].clone()).unwrap();
+            let rings: Vec<Vec<Vec<[f64; 2]>>> =
+                serde_json::from_value(feature["geometry"]["coordinates"].clone()).unwrap();
+            for (edges, ring) in edges.iter().flatten().zip(rings.iter().flatten()) {
+                assert_eq!(edges.len() + 1, ring.len(), "one for each edge");
+            }
+            let parts: Vec<Vec<usize>> = edges
+                .iter()
+                .map(|rings| rings.iter().map(|edges| edges[0][0]).collect())
+                .collect();
+            parts
+        });
     assert_eq!(
-        (area / 2.0).to_string(),
-        "96",
-        "the swept part is on the left"
+        shapes.collect::<Vec<_>>(),
+        [vec![vec![0, 0], vec![1]], vec![vec![0, 0], vec![1]]]
     );
 
     let output = run(&["offset", "-", "--step", "1e-9"], RECTANGLE);

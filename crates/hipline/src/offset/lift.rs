@@ -141,7 +141,11 @@ impl<'a> Lift<'a> {
         let first = planes[0];
         let other = planes.iter().find(|&&p| !self.planes.coplanar(first, p));
         let &other = other.unwrap_or_else(|| panic!("{id} has one plane only"));
-        // Two parallel planes meet at one moment, wherever a third one cuts them.
+        self.foot(id, Bound::Level(self.level_moment(first, other)))
+    }
+
+    /// When two parallel planes meet: told by any third one that is not parallel, too.
+    pub(crate) fn level_moment(&self, first: PlaneId, other: PlaneId) -> [PlaneId; 3] {
         let lines = (self.edges + self.tips.len()) as u32;
         let third = (0..lines)
             .map(|line| PlaneId(2 * line))
@@ -149,7 +153,7 @@ impl<'a> Lift<'a> {
         let third = third.expect("an arc of one height is in a figure of more than one direction");
         let mut moment = [first, other, third];
         moment.sort_unstable();
-        self.foot(id, Bound::Level(moment))
+        moment
     }
 
     fn foot(&self, id: NodeId, bound: Bound) -> Place {
