@@ -117,6 +117,7 @@ pub fn exponent_above(numbers: impl IntoIterator<Item = f64>) -> i32 {
 }
 
 #[cfg(test)]
+#[allow(clippy::float_cmp, reason = "these results are exact")]
 mod tests {
     use super::*;
 

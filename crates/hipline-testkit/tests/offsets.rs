@@ -1,6 +1,8 @@
 //! Offsets of many small figures, at the moments of their events and beside them: areas against
 //! the areas of the faces, polygons against the rules for polygons.
 
+#![allow(clippy::float_cmp, reason = "a test of exact results")]
+
 mod common;
 
 use common::count;

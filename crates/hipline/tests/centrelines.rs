@@ -49,14 +49,14 @@ const TEE: &[[f64; 2]] = &[
 fn rectangle_has_its_ridge() {
     let figure = polygon(&[RECTANGLE]);
     let ridge = vec![[2.0, 2.0, 2.0], [6.0, 2.0, 2.0]];
-    assert_eq!(centreline(&figure, plain()), [ridge.clone()]);
+    assert_eq!(centreline(&figure, plain()), std::slice::from_ref(&ridge));
     // Neither pruning nor choosing leaves nothing.
     for options in [
         plain().prune(1e300),
         plain().prune_ratio(1e300),
         plain().longest(true),
     ] {
-        assert_eq!(centreline(&figure, options), [ridge.clone()]);
+        assert_eq!(centreline(&figure, options), std::slice::from_ref(&ridge));
     }
     let whole = [[0.0, 2.0, 0.0], ridge[0], ridge[1], [8.0, 2.0, 0.0]];
     assert_eq!(centreline(&figure, plain().extend(true)), [whole]);

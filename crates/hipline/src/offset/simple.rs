@@ -42,7 +42,12 @@ fn nested(has_shell: bool, rings: impl Iterator<Item = OffsetLoop>) -> Vec<Vec<O
         let home = if has_shell && polygons.len() == 1 {
             Some(0)
         } else {
-            polygons.iter().position(|rings| is_in(&hole, &rings[0]))
+            // At distance 0 a hole can be its shell: then nothing of it is off that.
+            let find = |side| {
+                let is_there = |rings: &Vec<OffsetLoop>| side_of(&hole, &rings[0]) == side;
+                polygons.iter().position(is_there)
+            };
+            find(Some(true)).or_else(|| find(None))
         };
         if let Some(home) = home {
             polygons[home].push(hole);
@@ -107,12 +112,9 @@ fn is_counterclockwise(ring: &OffsetLoop) -> bool {
 }
 
 /// Whether a ring lies in another that it does not cross: told by the first point that is not on
-/// the other.
-fn is_in(ring: &OffsetLoop, other: &OffsetLoop) -> bool {
-    ring.points
-        .iter()
-        .find_map(|&p| contains(other, p))
-        .unwrap_or(false)
+/// the other; nothing if all are.
+fn side_of(ring: &OffsetLoop, other: &OffsetLoop) -> Option<bool> {
+    ring.points.iter().find_map(|&p| contains(other, p))
 }
 
 /// Whether a ring contains a point; nothing if the point is on it. Exact.
