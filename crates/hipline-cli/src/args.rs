@@ -9,7 +9,10 @@ use clap::{
     builder::{PossibleValuesParser, TypedValueParser},
 };
 use hipline::{Region, skeleton::Options};
-use hipline_io::{Format, write::Layers};
+use hipline_io::{
+    Format,
+    write::{Layers, Measure},
+};
 
 use crate::parse::{
     GableArg, RoofEdge, distance, edge_slope, elevation, finite, gable, positive, slope,
@@ -20,6 +23,7 @@ const EXAMPLES: &str = "\
 Examples:
   hipline skeleton village.geojson -o village.svg
   hipline offset park.wkt --step 0.5 -o park.png
+  hipline centreline river.geojson --prune-ratio 1 --extend -o middle.geojson
   hipline roof house.geojson --slope 35deg -o house.obj -o house.png
   hipline terrain rivers.geojson -o relief.png --contours 5
   hipline rain rivers.geojson --catchments system -o basins.png
@@ -44,6 +48,7 @@ pub struct Args {
 pub enum Command {
     Skeleton(SkeletonArgs),
     Offset(OffsetArgs),
+    Centreline(CentrelineArgs),
     Roof(RoofArgs),
     Terrain(TerrainArgs),
     Rain(RainArgs),
@@ -256,9 +261,9 @@ pub struct SkeletonArgs {
 
 /// Move a figure's edges by given distances.
 ///
-/// Writes pictures (svg, png) of the offsets over the figure, or data (geojson, wkt): what
-/// remains of an interior as polygons with holes, other offsets as closed lines with the swept
-/// part on the left. Each has its distance: as a property in GeoJSON, as height in WKT.
+/// Writes pictures (svg, png) of the offsets over the figure, or polygons with holes (geojson,
+/// wkt): what remains of an interior; around the outside of polygons and around lines, the figure
+/// grown. Each has its distance: as a property in GeoJSON, as height in WKT.
 ///
 /// Without -o, GeoJSON goes to standard output.
 #[derive(Debug, Parser)]
@@ -286,6 +291,10 @@ pub struct OffsetArgs {
           value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
     pub count: Option<u32>,
 
+    /// Tell in GeoJSON which input edge each edge comes from, as [part, ring, edge]
+    #[arg(long)]
+    pub edges: bool,
+
     #[command(flatten)]
     pub compute: ComputeArgs,
     #[command(flatten)]
@@ -296,6 +305,80 @@ pub struct OffsetArgs {
     pub skeleton: bool,
     #[command(flatten, next_help_heading = "Pictures")]
     pub size: SizeArgs,
+}
+
+/// Find the line in the middle: the approximate medial axis.
+///
+/// Writes lines between the places where it ends or branches, as data (geojson, wkt) or over the
+/// figure (svg, png). Each point has its time, half the local width: as height in GeoJSON, as
+/// --measure says in WKT. GeoJSON has the widths and the length as properties, too.
+///
+/// A branch runs from an end inwards until it meets a longer one, or a cycle. Neither cycles nor
+/// the longest branch of a part without cycles are ever dropped.
+///
+/// Without -o, GeoJSON goes to standard output.
+#[derive(Debug, Parser)]
+#[command(after_help = "\
+Examples:
+  hipline centreline river.geojson --prune-ratio 1 --extend -o middle.geojson
+  hipline centreline lake.wkt --longest -o label.wkt --measure m
+  hipline centreline streets.geojson --prune 12 -o streets.svg --skeleton")]
+pub struct CentrelineArgs {
+    #[command(flatten)]
+    pub input: InputArgs,
+
+    /// Drop branches shorter than this, in input units
+    #[arg(long, value_name = "LENGTH", default_value_t = 0.0,
+          allow_hyphen_values = true, value_parser = distance)]
+    pub prune: f64,
+
+    /// Drop branches shorter than so many times the width where they end
+    #[arg(long, value_name = "RATIO", default_value_t = 0.0,
+          allow_hyphen_values = true, value_parser = distance)]
+    pub prune_ratio: f64,
+
+    /// Keep the longest branch only; where there are holes, the cycles and what joins them
+    #[arg(long)]
+    pub longest: bool,
+
+    /// Carry the ends on to the boundary
+    #[arg(long)]
+    pub extend: bool,
+
+    /// What the numbers after x and y are in WKT
+    #[arg(long, value_name = "MEASURE", default_value = "zm")]
+    pub measure: MeasureArg,
+
+    #[command(flatten)]
+    pub compute: ComputeArgs,
+    #[command(flatten)]
+    pub output: OutputArgs,
+
+    /// Draw the skeleton under the lines
+    #[arg(long, help_heading = "Pictures")]
+    pub skeleton: bool,
+    #[command(flatten, next_help_heading = "Pictures")]
+    pub size: SizeArgs,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum MeasureArg {
+    /// LINESTRING Z: the time
+    Z,
+    /// LINESTRING M: the time
+    M,
+    /// LINESTRING ZM: the time and the width
+    Zm,
+}
+
+impl From<MeasureArg> for Measure {
+    fn from(measure: MeasureArg) -> Self {
+        match measure {
+            MeasureArg::Z => Self::Z,
+            MeasureArg::M => Self::M,
+            MeasureArg::Zm => Self::Zm,
+        }
+    }
 }
 
 /// Build roofs over polygons.

@@ -93,6 +93,7 @@ fn help() {
         Commands:
           skeleton     Compute the straight skeletons of a file's features
           offset       Move a figure's edges by given distances
+          centreline   Find the line in the middle: the approximate medial axis
           roof         Build roofs over polygons
           check        Check an input, or a result against it
           draw         Draw an input or a skeleton as it is, without computing
@@ -106,6 +107,7 @@ fn help() {
         Examples:
           hipline skeleton village.geojson -o village.svg
           hipline offset park.wkt --step 0.5 -o park.png
+          hipline centreline river.geojson --prune-ratio 1 --extend -o middle.geojson
           hipline roof house.geojson --slope 35deg -o house.obj -o house.png
           hipline skeleton parcels.geojson > parcels.json
           hipline check parcels.geojson --result parcels.json
@@ -430,8 +432,10 @@ fn offsets_as_data() {
     let features = features["features"].as_array().unwrap();
     assert_eq!(features.len(), 2);
     assert_eq!(features[0]["properties"]["distance"], 1.0);
-    assert_eq!(features[0]["geometry"]["type"], "Polygon");
-    let rings = features[0]["geometry"]["coordinates"].as_array().unwrap();
+    assert_eq!(features[0]["geometry"]["type"], "MultiPolygon");
+    let polygons = features[0]["geometry"]["coordinates"].as_array().unwrap();
+    assert_eq!(polygons.len(), 1);
+    let rings = polygons[0].as_array().unwrap();
     assert_eq!(rings.len(), 2, "with its hole");
     for ring in rings {
         let ring = ring.as_array().unwrap();
@@ -455,17 +459,47 @@ fn offsets_as_data() {
     let features = json(out(&output));
     let features = features["features"].as_array().unwrap();
     assert_eq!(features.len(), 2);
-    assert_eq!(features[1]["geometry"]["type"], "LineString");
-    let ring: Vec<[f64; 2]> =
+    assert_eq!(features[1]["geometry"]["type"], "MultiPolygon");
+    let polygons: Vec<Vec<Vec<[f64; 2]>>> =
         serde_json::from_value(features[1]["geometry"]["coordinates"].clone()).unwrap();
+    let [rings] = &polygons[..] else {
+        panic!("one polygon: {polygons:?}")
+    };
+    let [ring] = &rings[..] else {
+        panic!("no hole: {rings:?}")
+    };
     let area: f64 = ring
         .windows(2)
         .map(|e| e[0][0] * e[1][1] - e[1][0] * e[0][1])
         .sum();
+    assert_eq!((area / 2.0).to_string(), "96", "grown, counterclockwise");
+
+    // Around lines, too; and every edge tells where it comes from.
+    let args = ["offset", "-", "--distance", "1,3", "--edges"];
+    let frame = "MULTILINESTRING ((0 0, 8 0, 8 8, 0 8, 0 0), (20 0, 28 0))";
+    let output = run(&args, frame);
+    let features = json(out(&output));
+    let shapes = features["features"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .map(|feature| {
+            let edges: Vec<Vec<Vec<[usize; 3]>>> =
+                serde_json::from_value(feature["properties"]["edges"].clone()).unwrap();
+            let rings: Vec<Vec<Vec<[f64; 2]>>> =
+                serde_json::from_value(feature["geometry"]["coordinates"].clone()).unwrap();
+            for (edges, ring) in edges.iter().flatten().zip(rings.iter().flatten()) {
+                assert_eq!(edges.len() + 1, ring.len(), "one for each edge");
+            }
+            let parts: Vec<Vec<usize>> = edges
+                .iter()
+                .map(|rings| rings.iter().map(|edges| edges[0][0]).collect())
+                .collect();
+            parts
+        });
     assert_eq!(
-        (area / 2.0).to_string(),
-        "96",
-        "the swept part is on the left"
+        shapes.collect::<Vec<_>>(),
+        [vec![vec![0, 0], vec![1]], vec![vec![0, 0], vec![1]]]
     );
 
     let output = run(&["offset", "-", "--step", "1e-9"], RECTANGLE);
@@ -829,4 +863,80 @@ fn the_village() {
         out(&output),
         "ok: 26 skeletons verified: 353 nodes, 329 arcs, 202 faces\n"
     );
+}
+
+#[test]
+fn centrelines_have_times_and_widths() {
+    let output = run(&["centreline", "-", "--extend"], RECTANGLE);
+    assert_eq!(code(&output), 0, "{}", err(&output));
+    let feature = &json(out(&output))["features"][0];
+    let line = "[[0,2,0],[2,2,2],[6,2,2],[8,2,0]]";
+    assert_eq!(feature["geometry"]["type"], "LineString");
+    assert_eq!(feature["geometry"]["coordinates"], json(line));
+    let properties = &feature["properties"];
+    for (name, value) in [
+        ("source", "0"),
+        ("closed", "false"),
+        ("length", "8"),
+        ("width_min", "0"),
+        ("width_max", "4"),
+        ("width_mean", "3"),
+        ("widths", "[0,4,4,0]"),
+    ] {
+        let found = &properties[name];
+        let expected = json(value);
+        let same = found == &expected || found.as_f64() == expected.as_f64();
+        assert!(same, "{name}: {found}");
+    }
+    for (measure, line) in [
+        ("z", "LINESTRING Z (2 2 2, 6 2 2)"),
+        ("m", "LINESTRING M (2 2 2, 6 2 2)"),
+        ("zm", "LINESTRING ZM (2 2 2 4, 6 2 2 4)"),
+    ] {
+        let output = run(
+            &["centreline", "-", "--format", "wkt", "--measure", measure],
+            RECTANGLE,
+        );
+        assert_eq!(out(&output).trim(), line);
+    }
+}
+
+#[test]
+fn centrelines_are_pruned() {
+    // A bar with a stem of length 7 in the middle.
+    let tee = "POLYGON ((0 0, 9 0, 9 -6, 11 -6, 11 0, 20 0, 20 4, 0 4))";
+    for (args, count) in [
+        (&["--prune", "7"][..], 3),
+        (&["--prune", "7.5"], 1),
+        (&["--prune-ratio", "2"], 1),
+        (&["--longest"], 1),
+    ] {
+        let all = ["centreline", "-", "--format", "wkt"];
+        let output = run(&[&all[..], args].concat(), tee);
+        assert_eq!(out(&output).lines().count(), count, "{args:?}");
+    }
+    for wrong in ["-1", "nan", "inf", "x"] {
+        let output = run(&["centreline", "-", "--prune", wrong], tee);
+        assert_eq!(code(&output), 2, "{wrong}: {}", err(&output));
+    }
+}
+
+#[test]
+fn centrelines_are_drawn() {
+    let scratch = Scratch::new("centreline");
+    let river = concat!(env!("CARGO_MANIFEST_DIR"), "/../../corpus/river.wkt");
+    for (name, magic) in [("a.svg", &b"<svg "[..]), ("a.png", b"\x89PNG")] {
+        let path = scratch.path(name);
+        let output = run(&["centreline", river, "-o", &path, "--size", "64"], "");
+        assert_eq!(code(&output), 0, "{}", err(&output));
+        let bytes = fs::read(&path).unwrap();
+        assert!(bytes.starts_with(magic), "{name}");
+        let is_svg = magic.starts_with(b"<");
+        assert!(
+            !is_svg
+                || String::from_utf8(bytes)
+                    .unwrap()
+                    .contains("<g id=\"offsets\"")
+        );
+    }
 }

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use hipline::InvalidFigure;
+use hipline::{InvalidFigure, input::Flaw};
 
 use crate::Format;
 
@@ -132,11 +132,10 @@ impl fmt::Display for FigureError {
                 f.write_str("a point has no edge, so no wavefront starts from it")
             }
             Reason::Invalid(InvalidFigure { flaws, .. }) => {
-                let flaws: Vec<_> = flaws.iter().map(ToString::to_string).collect();
-                let flaws = flaws.join("; ");
-                f.write_str(&flaws)?;
+                let messages: Vec<_> = flaws.iter().map(ToString::to_string).collect();
+                f.write_str(&messages.join("; "))?;
                 if self.features.len() > 1 {
-                    self.legend(f, &flaws)?;
+                    self.legend(f, flaws)?;
                 }
                 Ok(())
             }
@@ -145,18 +144,9 @@ impl fmt::Display for FigureError {
 }
 
 impl FigureError {
-    /// Which feature each part is that the flaws mention.
-    fn legend(&self, f: &mut fmt::Formatter<'_>, flaws: &str) -> fmt::Result {
-        let mut parts: Vec<usize> = flaws
-            .split("part ")
-            .skip(1)
-            .filter_map(|rest| {
-                rest.split(|c: char| !c.is_ascii_digit())
-                    .next()?
-                    .parse()
-                    .ok()
-            })
-            .collect();
+    /// Which feature each part is that the flaws concern.
+    fn legend(&self, f: &mut fmt::Formatter<'_>, flaws: &[Flaw]) -> fmt::Result {
+        let mut parts: Vec<usize> = flaws.iter().flat_map(Flaw::parts).collect();
         parts.sort_unstable();
         parts.dedup();
         let mut lead = " (";
@@ -182,33 +172,49 @@ impl std::error::Error for FigureError {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use hipline::input::Place;
 
     #[test]
     fn flaws_of_several_features_come_with_a_legend() {
-        struct Legend<'a>(&'a FigureError, &'a str);
-        impl fmt::Display for Legend<'_> {
-            fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-                self.0.legend(f, self.1)
-            }
-        }
         let name = |index, id: Option<&str>| FeatureName {
             index,
             id: id.map(str::to_owned),
         };
-        let error = FigureError {
-            features: vec![name(0, None), name(1, Some("b"))],
-            parts: vec![0, 1, 1],
-            reason: Reason::Empty,
+        let at = |part| Place {
+            part,
+            ring: 0,
+            index: 3,
+        };
+        let cross = Flaw::EdgesCross {
+            first: at(2),
+            second: at(0),
+            near: [0.0; 2],
+        };
+        let few = Flaw::TooFewVertices {
+            at: at(1),
+            found: 1,
+            needed: 3,
+        };
+        let beyond = Flaw::BadSpeed {
+            edge: at(7),
+            speed: -1.0,
         };
         for (flaws, legend) in [
             (
-                "part 2, ring 0, edge 3 and part 0, ring 1, edge 0 cross",
+                vec![cross],
                 " (part 0 is of feature 0, part 2 is of feature 1 (\"b\"))",
             ),
-            ("part 1, part 1", " (part 1 is of feature 1 (\"b\"))"),
-            ("no part of it, and part 7", ""),
+            (vec![few.clone(), few], " (part 1 is of feature 1 (\"b\"))"),
+            (vec![Flaw::Empty, beyond], ""),
         ] {
-            assert_eq!(Legend(&error, flaws).to_string(), legend);
+            let messages: Vec<_> = flaws.iter().map(ToString::to_string).collect();
+            let error = FigureError {
+                features: vec![name(0, None), name(1, Some("b"))],
+                parts: vec![0, 1, 1],
+                reason: Reason::Invalid(InvalidFigure { flaws }),
+            };
+            let expected = format!("2 features together: {}{legend}", messages.join("; "));
+            assert_eq!(error.to_string(), expected);
         }
     }
 }

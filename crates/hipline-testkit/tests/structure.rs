@@ -69,8 +69,15 @@ fn dependencies_point_one_way() {
     );
     absent("hipline/src/kinetic", &["offset::", "roof::", "observe::"]);
     absent("hipline/src/skeleton", &["offset::", "roof::", "observe::"]);
-    absent("hipline/src/offset", &["kinetic::", "roof::", "observe::"]);
+    absent(
+        "hipline/src/offset",
+        &["kinetic::", "roof::", "observe::", "centreline::"],
+    );
     absent("hipline/src/observe", &["kinetic::"]);
+    absent(
+        "hipline/src/centreline",
+        &["kinetic::", "roof::", "observe::"],
+    );
     absent(
         "hipline/src/roof",
         &["kinetic::", "offset::", "predicates::"],
@@ -114,7 +121,6 @@ fn roots_of_floats_are_walled_off() {
     let allowed = [
         "predicates/planes.rs",
         "predicates/root.rs",
-        "offset/mod.rs",
         "roof/triangulate.rs",
         "observe/terrain.rs",
     ];
@@ -138,6 +144,7 @@ fn nothing_depends_on_hash_order_or_clocks() {
         "topology",
         "skeleton",
         "offset",
+        "centreline",
         "roof",
         "observe",
     ] {

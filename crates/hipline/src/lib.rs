@@ -7,10 +7,12 @@
 //! kinetic/     the kinetic triangulation engine (Aichholzer & Aurenhammer 1996)
 //! skeleton/    nodes, arcs, faces, verify        the only way out
 //! offset/      the wavefront at given distances
+//! centreline/  the approximate medial axis
 //! roof/        the skeleton lifted to a surface
 //! observe/     queries, rain, terrain
 //! ```
 
+pub mod centreline;
 pub mod input;
 mod kinetic;
 pub mod observe;

@@ -1,5 +1,6 @@
 //! One module a command.
 
+mod centreline;
 mod check;
 mod draw;
 mod offset;
@@ -29,6 +30,7 @@ pub fn run(command: Command) -> Result<Outcome, Failure> {
     match command {
         Command::Skeleton(args) => skeleton::run(&args),
         Command::Offset(args) => offset::run(&args),
+        Command::Centreline(args) => centreline::run(&args),
         Command::Roof(args) => roof::run(&args),
         Command::Terrain(args) => terrain::run(&args),
         Command::Rain(args) => rain::run(&args),

@@ -2,7 +2,11 @@
 
 use std::io::{self, Write};
 
-use hipline::{Region, offset::Offset};
+use hipline::{
+    Figure, Region, Skeleton,
+    input::Source,
+    offset::{Offset, OffsetLoop},
+};
 use hipline_io::{
     FeatureName,
     write::{Layers, OffsetLine, Picture, Window},
@@ -25,7 +29,7 @@ pub fn write(
     args: &OffsetArgs,
 ) -> Result<(), Failure> {
     match target.format {
-        OutputFormat::Geojson => target.write(|w| geojson(w, computed)),
+        OutputFormat::Geojson => target.write(|w| geojson(w, computed, args.edges)),
         OutputFormat::Wkt => target.write(|w| wkt(w, computed)),
         _ => target.picture(&picture(computed, args), args.size.size),
     }
@@ -79,83 +83,95 @@ fn seen(computed: &[Computed<Offsets>]) -> impl Iterator<Item = [f64; 2]> {
     })
 }
 
-/// A piece of an offset.
-enum Piece {
-    /// A shell and its holes.
-    Polygon(Vec<Vec<[f64; 2]>>),
-    /// A closed line.
-    Line(Vec<[f64; 2]>),
-}
-
-/// What remains of an interior, as polygons. Of the rest of the plane, what has been swept
-/// is of interest, so its boundary is turned around: the swept part is on the left.
-fn pieces(region: Region, offset: &Offset) -> Vec<Piece> {
+/// The polygons of an offset: what remains of an interior; elsewhere the figure grown. Rings with the
+/// faces that their edges lie in, shells first.
+fn polygons(region: Region, offset: &Offset) -> Vec<Vec<OffsetLoop>> {
     if region == Region::Interior {
-        return offset.polygons().map(Piece::Polygon).collect();
+        offset.rings().collect()
+    } else {
+        offset.swept_rings().collect()
     }
-    let reversed = offset
-        .loops()
-        .iter()
-        .map(|cycle| cycle.points().iter().rev().copied().collect());
-    reversed.map(Piece::Line).collect()
 }
 
-fn geojson(w: &mut dyn Write, computed: &[Computed<Offsets>]) -> io::Result<()> {
+/// One feature a distance.
+fn geojson(w: &mut dyn Write, computed: &[Computed<Offsets>], with_edges: bool) -> io::Result<()> {
     w.write_all(b"{\"type\":\"FeatureCollection\",\"features\":[")?;
     let mut lead = "\n";
-    for (name, Offsets { skeleton, offsets }) in successes(computed) {
-        let id = name.id.as_ref().map_or_else(String::new, |id| {
+    for one in computed {
+        let Ok(Offsets { skeleton, offsets }) = &one.result else {
+            continue;
+        };
+        let id = one.name.id.as_ref().map_or_else(String::new, |id| {
             format!(",\"source_id\":{}", serde_json::Value::from(id.as_str()))
         });
         for offset in offsets {
-            for piece in pieces(skeleton.region(), offset) {
-                write!(
-                    w,
-                    "{lead}{{\"type\":\"Feature\",\"properties\":{{\"distance\":{:?},\"source\":{}{id}}}",
-                    offset.distance(),
-                    name.index
-                )?;
-                lead = ",\n";
-                match piece {
-                    Piece::Polygon(rings) => {
-                        w.write_all(b",\"geometry\":{\"type\":\"Polygon\",\"coordinates\":[")?;
-                        for (i, ring) in rings.iter().enumerate() {
-                            w.write_all(if i == 0 { b"" } else { b"," })?;
-                            json_ring(w, ring)?;
-                        }
-                        w.write_all(b"]}}")?;
-                    }
-                    Piece::Line(ring) => {
-                        w.write_all(b",\"geometry\":{\"type\":\"LineString\",\"coordinates\":")?;
-                        json_ring(w, &ring)?;
-                        w.write_all(b"}}")?;
-                    }
-                }
+            let polygons = polygons(skeleton.region(), offset);
+            if polygons.is_empty() {
+                continue;
             }
+            write!(
+                w,
+                "{lead}{{\"type\":\"Feature\",\"properties\":{{\"distance\":{:?},\"source\":{}{id}",
+                offset.distance(),
+                one.name.index
+            )?;
+            lead = ",\n";
+            if let Some(figure) = one.figure.as_ref().filter(|_| with_edges) {
+                w.write_all(b",\"edges\":")?;
+                nested(w, &polygons, |w, ring| edges(w, ring, skeleton, figure))?;
+            }
+            w.write_all(b"},\"geometry\":{\"type\":\"MultiPolygon\",\"coordinates\":")?;
+            nested(w, &polygons, |w, ring| json_ring(w, ring.points()))?;
+            w.write_all(b"}}")?;
         }
     }
     w.write_all(b"\n]}\n")
 }
 
+/// Lists of lists, as the rings of the polygons are.
+fn nested(
+    w: &mut dyn Write,
+    polygons: &[Vec<OffsetLoop>],
+    mut write: impl FnMut(&mut dyn Write, &OffsetLoop) -> io::Result<()>,
+) -> io::Result<()> {
+    w.write_all(b"[")?;
+    for (i, rings) in polygons.iter().enumerate() {
+        w.write_all(if i == 0 { b"[" } else { b",[" })?;
+        for (k, ring) in rings.iter().enumerate() {
+            w.write_all(if k == 0 { b"" } else { b"," })?;
+            write(w, ring)?;
+        }
+        w.write_all(b"]")?;
+    }
+    w.write_all(b"]")
+}
+
+/// The input edge of each of a ring's edges: the part, ring and edge of the caller's numbering.
+fn edges(
+    w: &mut dyn Write,
+    ring: &OffsetLoop,
+    skeleton: &Skeleton,
+    figure: &Figure,
+) -> io::Result<()> {
+    w.write_all(b"[")?;
+    for (i, edge) in ring.edges(skeleton).enumerate() {
+        let Source { part, ring, edge } = figure.edges()[edge.index()].source;
+        let comma = if i == 0 { "" } else { "," };
+        write!(w, "{comma}[{part},{ring},{edge}]")?;
+    }
+    w.write_all(b"]")
+}
+
 fn wkt(w: &mut dyn Write, computed: &[Computed<Offsets>]) -> io::Result<()> {
     for (_, Offsets { skeleton, offsets }) in successes(computed) {
         for offset in offsets {
-            for piece in pieces(skeleton.region(), offset) {
-                match piece {
-                    Piece::Polygon(rings) => {
-                        w.write_all(b"POLYGON Z (")?;
-                        for (i, ring) in rings.iter().enumerate() {
-                            w.write_all(if i == 0 { b"" } else { b", " })?;
-                            wkt_ring(w, ring, offset.distance())?;
-                        }
-                        w.write_all(b")\n")?;
-                    }
-                    Piece::Line(ring) => {
-                        w.write_all(b"LINESTRING Z ")?;
-                        wkt_ring(w, &ring, offset.distance())?;
-                        w.write_all(b"\n")?;
-                    }
+            for rings in polygons(skeleton.region(), offset) {
+                w.write_all(b"POLYGON Z (")?;
+                for (i, ring) in rings.iter().enumerate() {
+                    w.write_all(if i == 0 { b"" } else { b", " })?;
+                    wkt_ring(w, ring.points(), offset.distance())?;
                 }
+                w.write_all(b")\n")?;
             }
         }
     }

@@ -5,6 +5,7 @@
 //! cut off at a window.
 
 mod atomic;
+mod centreline;
 mod geojson;
 mod heights;
 mod json;
@@ -26,6 +27,7 @@ mod window;
 mod wkt;
 
 pub use atomic::write_atomically;
+pub use centreline::{Measure, centreline_geojson, centreline_wkt};
 pub use geojson::{geojson, lines_geojson};
 pub use heights::{Heights, HeightsError};
 pub use json::{ResultsJson, json};

@@ -275,6 +275,46 @@ pub enum Flaw {
     },
 }
 
+impl Flaw {
+    /// The parts that it concerns, ascending: which of the calls to the builder.
+    #[must_use]
+    pub fn parts(&self) -> Vec<usize> {
+        let mut parts = match self {
+            Self::Empty | Self::TooLarge { .. } | Self::MorePairs { .. } => Vec::new(),
+            Self::NotFinite { at, .. }
+            | Self::CoordinateRange { at, .. }
+            | Self::TooFewVertices { at, .. }
+            | Self::LonePoint { at, .. }
+            | Self::NoSuchVertex { at }
+            | Self::BadHeight { at, .. }
+            | Self::SpeedCount { at, .. } => vec![at.part],
+            Self::ZeroLengthEdge { edge, .. }
+            | Self::EdgeIndexOutOfRange { edge, .. }
+            | Self::NoSuchEdge { edge }
+            | Self::BadTime { edge, .. }
+            | Self::TwoChanges { edge, .. }
+            | Self::TooSteep { edge, .. }
+            | Self::ChangeBeforeStart { edge, .. }
+            | Self::BadSpeed { edge, .. } => vec![edge.part],
+            Self::DuplicateVertex { first, second, .. }
+            | Self::TwoHeights { first, second, .. }
+            | Self::EdgesCross { first, second, .. }
+            | Self::EdgesOverlap { first, second, .. } => vec![first.part, second.part],
+            Self::HoleOutsideShell { hole, .. } => vec![hole.part],
+            Self::HoleInHole { inner, outer, .. } => vec![inner.part, outer.part],
+            Self::ShellsOverlap { ring, other, .. } => vec![ring.part, *other],
+            Self::SpeedLists { part, .. } => vec![*part],
+            Self::InteriorDisconnected { part, places, .. } => {
+                let touching = places.iter().map(|(place, _)| place.part);
+                std::iter::once(*part).chain(touching).collect()
+            }
+        };
+        parts.sort_unstable();
+        parts.dedup();
+        parts
+    }
+}
+
 struct Vertex<'a>(&'a Place);
 struct Edge<'a>(&'a Place);
 struct Ring<'a>(&'a Place);

@@ -1,6 +1,8 @@
 //! The loops of the wavefront at each of several distances.
 
-use super::{Offset, OffsetLoop, lift::Lift, parts::Superlevel};
+use super::{
+    Offset, OffsetLoop, by_face::ByFace, lift::Lift, parts::Superlevel, sublevel::Sublevel,
+};
 use crate::{
     input::Figure,
     predicates::{Bound, Place},
@@ -39,7 +41,8 @@ pub(super) fn wavefronts(skeleton: &Skeleton, figure: &Figure, distances: &[f64]
             list.push(ArcId::new(i));
         }
     }
-    let mut superlevel = Superlevel::new(skeleton, &ranks, distances.len());
+    let mut superlevel = Superlevel::new(&lift, &ranks, distances.len());
+    let mut by_face = ByFace::new(skeleton.faces().len());
     let mut offsets = Vec::with_capacity(distances.len());
     for (i, arcs) in crossed.iter().enumerate().rev() {
         superlevel.lower_to(i);
@@ -48,11 +51,17 @@ pub(super) fn wavefronts(skeleton: &Skeleton, figure: &Figure, distances: &[f64]
             ranks: &ranks,
             distance: distances[i],
         };
-        let rings = level.rings(arcs);
+        let rings = level.rings(arcs, &mut by_face);
         offsets.push(level.offset(&rings, &mut superlevel));
     }
     offsets.reverse();
-    offsets
+    if let Some(mut sublevel) = Sublevel::new(&lift, figure, &ranks, distances.len()) {
+        for (i, (offset, seeds)) in offsets.iter_mut().enumerate() {
+            sublevel.raise_to(i);
+            offset.swept = sublevel.parts(&offset.loops, seeds);
+        }
+    }
+    offsets.into_iter().map(|(offset, _)| offset).collect()
 }
 
 fn rank(lift: &Lift, id: NodeId, distances: &[f64]) -> Rank {
@@ -116,35 +125,27 @@ impl Level<'_> {
     }
 
     /// The rings of crossings, each with the face after it.
-    fn rings(&self, arcs: &[ArcId]) -> Vec<Vec<(Crossing, FaceId)>> {
+    fn rings(&self, arcs: &[ArcId], by_face: &mut ByFace) -> Vec<Vec<(Crossing, FaceId)>> {
         let crossings: Vec<Crossing> = arcs.iter().map(|&arc| self.crossing(arc)).collect();
         let faces = |k: usize| self.lift.skeleton.arc(crossings[k].arc).faces;
-        let by_face = |side: usize| {
-            let mut list: Vec<(FaceId, usize)> =
-                (0..crossings.len()).map(|k| (faces(k)[side], k)).collect();
-            list.sort_unstable();
-            list
-        };
-        // The wavefront runs in an arc's left face up to the arc, then on in its right face.
-        let (mut ends, mut starts) = (by_face(0), by_face(1));
-        let groups = ends
-            .chunk_by_mut(|a, b| a.0 == b.0)
-            .zip(starts.chunk_by_mut(|a, b| a.0 == b.0));
+        by_face.enter((0..crossings.len()).map(faces));
         let mut next = vec![usize::MAX; crossings.len()];
-        for (ends, starts) in groups {
-            let face = ends[0].0;
+        for &face in by_face.faces() {
+            if let Some([end, start]) = by_face.only(face) {
+                next[start] = end;
+                continue;
+            }
+            let [mut ends, mut starts] = by_face.all(face);
             assert!(
-                face == starts[0].0 && ends.len() == starts.len(),
+                ends.len() == starts.len(),
                 "the wavefront does not close in {face} at {}",
                 self.distance
             );
-            if ends.len() > 1 {
-                for list in [&mut *ends, &mut *starts] {
-                    list.sort_by(|a, b| self.compare(&crossings[a.1], &crossings[b.1], face));
-                }
+            for list in [&mut ends, &mut starts] {
+                list.sort_by(|&a, &b| self.compare(&crossings[a], &crossings[b], face));
             }
-            for (start, end) in starts.iter().zip(ends.iter()) {
-                next[start.1] = end.1;
+            for (start, end) in starts.into_iter().zip(ends) {
+                next[start] = end;
             }
         }
         let after: Vec<FaceId> = (0..crossings.len()).map(|k| faces(k)[1]).collect();
@@ -186,10 +187,15 @@ impl Level<'_> {
             })
     }
 
-    /// Loops and parts from rings.
-    fn offset(&self, rings: &[Vec<(Crossing, FaceId)>], superlevel: &mut Superlevel) -> Offset {
+    /// Loops and parts from rings, with a node below each loop.
+    fn offset(
+        &self,
+        rings: &[Vec<(Crossing, FaceId)>],
+        superlevel: &mut Superlevel,
+    ) -> (Offset, Vec<NodeId>) {
         let mut loops = Vec::with_capacity(rings.len());
         let mut seeds = Vec::with_capacity(rings.len());
+        let mut below = Vec::with_capacity(rings.len());
         for ring in rings {
             let upper = |k: usize| {
                 let (crossing, _) = &ring[k];
@@ -210,19 +216,22 @@ impl Level<'_> {
             if !is_flat(&points) || (points.len() > 1 && self.distance <= 0.0) {
                 loops.push(OffsetLoop { points, faces });
                 seeds.push(upper(0));
+                below.push(self.lift.skeleton.arc(ring[0].0.arc).nodes[0]);
             }
         }
         let parts = superlevel.parts(&loops, &seeds);
-        Offset {
+        let offset = Offset {
             distance: self.distance,
             loops,
             parts,
-        }
+            swept: Vec::new(),
+        };
+        (offset, below)
     }
 }
 
 /// Whether all points lie on one line.
-fn is_flat(points: &[[f64; 2]]) -> bool {
+pub(super) fn is_flat(points: &[[f64; 2]]) -> bool {
     let coord = |[x, y]: [f64; 2]| robust::Coord { x, y };
     let [p, q, rest @ ..] = points else {
         return true;

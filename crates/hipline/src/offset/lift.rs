@@ -13,7 +13,7 @@ use hipline_num::Sign;
 use std::cell::OnceCell;
 
 /// A skeleton with the planes of its faces.
-pub(super) struct Lift<'a> {
+pub(crate) struct Lift<'a> {
     pub skeleton: &'a Skeleton,
     pub planes: Planes,
     /// The tips of the terminals, ascending.
@@ -24,7 +24,7 @@ pub(super) struct Lift<'a> {
 }
 
 impl<'a> Lift<'a> {
-    pub(super) fn new(skeleton: &'a Skeleton, figure: &Figure) -> Self {
+    pub(crate) fn new(skeleton: &'a Skeleton, figure: &Figure) -> Self {
         let same = figure.vertices().len() == skeleton.input().vertices
             && figure.edges().len() == skeleton.input().edges.len()
             && figure
@@ -44,7 +44,7 @@ impl<'a> Lift<'a> {
     }
 
     /// The plane of a face.
-    pub(super) fn plane(&self, face: FaceId) -> PlaneId {
+    pub(crate) fn plane(&self, face: FaceId) -> PlaneId {
         let face = self.skeleton.face(face);
         let [from, to] = self.skeleton.input().edges[face.edge.index()];
         let terminal = |tip: usize| {
@@ -64,7 +64,7 @@ impl<'a> Lift<'a> {
 
     /// The planes of the two faces beside an arc that is no ghost and not of one height, the
     /// first turning left into the second.
-    pub(super) fn pair(&self, arc: ArcId) -> [PlaneId; 2] {
+    pub(crate) fn pair(&self, arc: ArcId) -> [PlaneId; 2] {
         self.oriented(self.skeleton.arc(arc).faces.map(|face| self.plane(face)))
     }
 
@@ -76,7 +76,8 @@ impl<'a> Lift<'a> {
         }
     }
 
-    fn arcs_at(&self, node: NodeId) -> &[ArcId] {
+    /// The arcs at a node, ascending.
+    pub(crate) fn arcs_at(&self, node: NodeId) -> &[ArcId] {
         let (first, list) = self.arcs.get_or_init(|| {
             let mut first = vec![0_u32; self.skeleton.nodes().len() + 1];
             for arc in self.skeleton.arcs() {
@@ -102,7 +103,7 @@ impl<'a> Lift<'a> {
     }
 
     /// The definition of a finite node.
-    pub(super) fn place(&self, id: NodeId) -> Place {
+    pub(crate) fn place(&self, id: NodeId) -> Place {
         let node = self.skeleton.node(id);
         if matches!(node.kind, NodeKind::Input(_)) {
             return Place::Vertex([node.x, node.y]);
@@ -140,7 +141,11 @@ impl<'a> Lift<'a> {
         let first = planes[0];
         let other = planes.iter().find(|&&p| !self.planes.coplanar(first, p));
         let &other = other.unwrap_or_else(|| panic!("{id} has one plane only"));
-        // Two parallel planes meet at one moment, wherever a third one cuts them.
+        self.foot(id, Bound::Level(self.level_moment(first, other)))
+    }
+
+    /// When two parallel planes meet: told by any third one that is not parallel, too.
+    pub(crate) fn level_moment(&self, first: PlaneId, other: PlaneId) -> [PlaneId; 3] {
         let lines = (self.edges + self.tips.len()) as u32;
         let third = (0..lines)
             .map(|line| PlaneId(2 * line))
@@ -148,7 +153,7 @@ impl<'a> Lift<'a> {
         let third = third.expect("an arc of one height is in a figure of more than one direction");
         let mut moment = [first, other, third];
         moment.sort_unstable();
-        self.foot(id, Bound::Level(moment))
+        moment
     }
 
     fn foot(&self, id: NodeId, bound: Bound) -> Place {
@@ -161,7 +166,7 @@ impl<'a> Lift<'a> {
     }
 
     /// A place on a ghost arc.
-    pub(super) fn on_ghost(&self, ghost: ArcId, bound: Bound) -> Place {
+    pub(crate) fn on_ghost(&self, ghost: ArcId, bound: Bound) -> Place {
         let arc = self.skeleton.arc(ghost);
         let start = match self.place(arc.nodes[0]) {
             Place::Vertex(v) => Start::Vertex(v),

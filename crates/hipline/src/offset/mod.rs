@@ -17,14 +17,24 @@
 //! the f64 numbers nearest to the exact ones. Edges whose ends are rounded into one point are
 //! left out, and so are loops all of whose points are rounded onto one line.
 
+mod bridges;
+mod by_face;
 mod definitions;
 mod level;
 mod lift;
 mod parts;
+mod simple;
+mod sublevel;
 
 pub(crate) use definitions::Definitions;
+pub(crate) use lift::Lift;
 
-use crate::{input::Figure, skeleton::Skeleton, topology::FaceId};
+use crate::{
+    input::Figure,
+    skeleton::Skeleton,
+    topology::{EdgeId, FaceId},
+};
+use hipline_num::hypot;
 
 /// A distance that is negative, infinite or no number.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
@@ -58,6 +68,11 @@ impl OffsetLoop {
         &self.faces
     }
 
+    /// For each point, the input edge that the edge from it to the next point comes from.
+    pub fn edges<'a>(&'a self, skeleton: &'a Skeleton) -> impl Iterator<Item = EdgeId> + 'a {
+        self.faces.iter().map(|&face| skeleton.face(face).edge)
+    }
+
     /// The signed area, in square input units, up to rounding: positive if counterclockwise.
     #[must_use]
     pub fn area(&self) -> f64 {
@@ -74,14 +89,14 @@ impl OffsetLoop {
         twice / 2.0
     }
 
-    /// The length, in input units, up to rounding.
+    /// The length, in input units, up to rounding; of the same bits on every platform.
     #[must_use]
     pub fn perimeter(&self) -> f64 {
         let next = self.points.iter().skip(1).chain(self.points.first());
         self.points
             .iter()
             .zip(next)
-            .map(|(p, q)| (q[0] - p[0]).hypot(q[1] - p[1]))
+            .map(|(p, q)| hypot(q[0] - p[0], q[1] - p[1]))
             .sum()
     }
 }
@@ -101,6 +116,7 @@ pub struct Offset {
     distance: f64,
     loops: Vec<OffsetLoop>,
     parts: Vec<Part>,
+    swept: Vec<Part>,
 }
 
 impl Offset {
@@ -122,13 +138,39 @@ impl Offset {
         &self.parts
     }
 
-    /// The bounded parts as polygons: lists of rings, the shell first, then the holes.
+    /// The connected parts of the figure together with what has been swept, with their holes:
+    /// shells are clockwise here, and holes counterclockwise, because what is not swept is on
+    /// the left. Nothing for the inside of polygons, where nothing grows.
+    #[must_use]
+    pub fn swept_parts(&self) -> &[Part] {
+        &self.swept
+    }
+
+    /// The same as polygons: the figure grown. Each is a list of rings with the faces
+    /// that their edges lie in, the shell first and counterclockwise.
+    pub fn swept_rings(&self) -> impl Iterator<Item = Vec<OffsetLoop>> {
+        let parts = self.swept.iter();
+        parts.flat_map(|part| simple::swept_polygons(part, &self.loops))
+    }
+
+    /// The bounded parts as polygons: lists of rings, the shell first, then the holes. They are
+    /// valid in the sense of OGC Simple Features, but for what the rounding of coordinates does:
+    /// a loop that touches itself in a point is cut into rings there.
     pub fn polygons(&self) -> impl Iterator<Item = Vec<Vec<[f64; 2]>>> {
-        self.parts.iter().filter_map(|part| {
-            let shell = part.shell?;
-            let rings = std::iter::once(shell).chain(part.holes.iter().copied());
-            Some(rings.map(|i| self.loops[i].points.clone()).collect())
-        })
+        let points = |ring: OffsetLoop| ring.points;
+        self.rings()
+            .map(move |rings| rings.into_iter().map(points).collect())
+    }
+
+    /// The same, each ring with the faces that its edges lie in.
+    pub fn rings(&self) -> impl Iterator<Item = Vec<OffsetLoop>> {
+        let parts = self.parts.iter();
+        parts.flat_map(|part| simple::polygons(part, &self.loops))
+    }
+
+    /// All loops as rings that do not touch themselves.
+    pub fn simple_loops(&self) -> impl Iterator<Item = OffsetLoop> {
+        self.loops.iter().flat_map(simple::cut)
     }
 }
 
@@ -148,6 +190,7 @@ impl Skeleton {
     ///
     /// # Complexity
     /// Linear in the size of the skeleton, but for the order of several edges in one face.
+    /// [`Skeleton::offsets`] takes as long for one more distance as its points take.
     ///
     /// # Errors
     /// If the distance is negative, infinite or no number.
@@ -162,7 +205,8 @@ impl Skeleton {
     /// The wavefront at several distances, in any order; the results are in the same order.
     ///
     /// # Complexity
-    /// O(n log k + m log m) for k distances, a skeleton of size n and m points in all.
+    /// O(n log k + m) for k distances, a skeleton of size n and m points in all, but for the order of
+    /// several edges in one face: no distance looks at arcs or faces that it does not cross.
     ///
     /// # Errors
     /// If a distance is negative, infinite or no number.

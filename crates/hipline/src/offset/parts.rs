@@ -5,9 +5,9 @@
 //! the arcs above them, and the edges of the loops themselves, connect them. No geometry is
 //! asked, so touching loops are no difficulty.
 
-use super::{OffsetLoop, Part, level::Rank};
+use super::{OffsetLoop, Part, bridges::bridges, level::Rank, lift::Lift};
 use crate::{
-    skeleton::{NodeKind, Skeleton},
+    skeleton::NodeKind,
     topology::{FaceId, NodeId},
 };
 use std::collections::BTreeMap;
@@ -22,11 +22,12 @@ pub(super) struct Superlevel {
 }
 
 impl Superlevel {
-    pub(super) fn new(skeleton: &Skeleton, ranks: &[Rank], distances: usize) -> Self {
+    pub(super) fn new(lift: &Lift, ranks: &[Rank], distances: usize) -> Self {
+        let skeleton = lift.skeleton;
         let mut waiting = vec![Vec::new(); distances];
         let bridges = (0..skeleton.faces().len())
             .map(FaceId::new)
-            .flat_map(|f| bridges(skeleton, f));
+            .flat_map(|f| bridges(lift, f));
         for [from, to] in skeleton.arcs().iter().map(|arc| arc.nodes).chain(bridges) {
             // Above all distances below the time of its start.
             if let Some(last) = ranks[from.index()].below.checked_sub(1) {
@@ -101,51 +102,4 @@ impl Superlevel {
         };
         order.into_iter().map(part).collect()
     }
-}
-
-/// Connects the inner boundaries of a face, which only weights can make, to what is above
-/// them: from the highest node straight up in the face's plane to an arc, and along that to
-/// its higher end.
-fn bridges(skeleton: &Skeleton, face: FaceId) -> Vec<[NodeId; 2]> {
-    let holes: Vec<&[NodeId]> = skeleton.holes(face).collect();
-    if holes.is_empty() {
-        return Vec::new();
-    }
-    let [from, to] = skeleton.input().edges[skeleton.face(face).edge.index()];
-    let [p, q] = [from, to].map(|v| &skeleton.nodes()[v.index()]);
-    let along = |n: NodeId| {
-        let n = skeleton.node(n);
-        (q.x - p.x) * (n.x - p.x) + (q.y - p.y) * (n.y - p.y)
-    };
-    let time = |n: NodeId| skeleton.node(n).time;
-    let cycles = || std::iter::once(skeleton.boundary(face)).chain(holes.iter().copied());
-    let bridge = |hole: &&[NodeId]| {
-        let top = hole
-            .iter()
-            .copied()
-            .max_by(|&a, &b| time(a).total_cmp(&time(b)))?;
-        let at = along(top);
-        let mut best: Option<(f64, NodeId)> = None;
-        for cycle in cycles() {
-            for (i, &a) in cycle.iter().enumerate() {
-                let b = cycle[(i + 1) % cycle.len()];
-                let (u, v) = (along(a), along(b));
-                if !(u.min(v) <= at && at <= u.max(v) && u.min(v) < u.max(v))
-                    || a == top
-                    || b == top
-                {
-                    continue;
-                }
-                let height = time(a) + (time(b) - time(a)) * ((at - u) / (v - u));
-                let upper = if time(a) > time(b) { a } else { b };
-                if height > time(top) && best.is_none_or(|(other, _)| height < other) {
-                    best = Some((height, upper));
-                }
-            }
-        }
-        // Nothing above: the face goes on for ever there.
-        let infinite = || cycles().flatten().copied().find(|&n| time(n).is_infinite());
-        Some([top, best.map(|(_, node)| node).or_else(infinite)?])
-    };
-    holes.iter().filter_map(bridge).collect()
 }

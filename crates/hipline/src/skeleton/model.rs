@@ -275,7 +275,8 @@ impl Skeleton {
     /// The nodes around a face, counterclockwise: the outer boundary. It starts with the
     /// two ends of the input edge (one node for a terminal), or of the crease where it starts,
     /// the face on their left. An
-    /// unbounded face has two infinite nodes in a row.
+    /// unbounded face has a pair of infinite nodes in a row; or two such pairs, where its
+    /// wavefront was split and both pieces go on for ever.
     #[must_use]
     pub fn boundary(&self, face: FaceId) -> &[NodeId] {
         self.cycle(self.faces[face.index()].cycles[0])

@@ -7,6 +7,15 @@ use crate::{
     topology::{ArcId, FaceId, NodeId},
 };
 
+/// The line that a ghost arc ends on.
+#[derive(Clone, Copy)]
+enum Line {
+    /// The intersection of two planes.
+    Pair([PlaneId; 2]),
+    /// An arc of one height, at the moment when three planes meet.
+    Level([PlaneId; 3]),
+}
+
 /// What the planes around a node have in common.
 enum Common {
     /// A point.
@@ -15,7 +24,7 @@ enum Common {
         moment: [PlaneId; 3],
     },
     /// A line: the node must be where a ghost arc ends.
-    Line(Bound),
+    Line(Line),
     /// Nothing definite.
     Unknown,
 }
@@ -25,7 +34,7 @@ impl Checker<'_> {
     pub(super) fn check_places(&mut self) {
         let nodes = &self.skeleton.nodes;
         self.places = vec![None; nodes.len()];
-        let mut feet: Vec<(NodeId, Bound)> = Vec::new();
+        let mut feet: Vec<(NodeId, Line)> = Vec::new();
         for (i, node) in nodes.iter().enumerate() {
             let id = NodeId::new(i);
             self.places[i] = match node.kind {
@@ -33,8 +42,8 @@ impl Checker<'_> {
                 NodeKind::Input(v) => Some(Place::Vertex(self.figure.vertices()[v.index()])),
                 NodeKind::Event => match self.common(id) {
                     Common::Point { pair, moment } => Some(Place::Event { pair, moment }),
-                    Common::Line(bound) => {
-                        feet.push((id, bound));
+                    Common::Line(line) => {
+                        feet.push((id, line));
                         None
                     }
                     Common::Unknown => {
@@ -44,8 +53,8 @@ impl Checker<'_> {
                 },
             };
         }
-        for (node, bound) in feet {
-            let place = self.foot(node, bound);
+        for (node, line) in feet {
+            let place = self.foot(node, line);
             if place.is_none() {
                 self.report.add(Violation::Undetermined { node });
             }
@@ -94,7 +103,7 @@ impl Checker<'_> {
                 moment.sort_unstable();
                 Common::Point { pair, moment }
             }
-            None => Common::Line(Bound::Pair(pair)),
+            None => Common::Line(Line::Pair(pair)),
         }
     }
 
@@ -146,14 +155,15 @@ impl Checker<'_> {
             Some(k) if self.planes.do_meet([i, j, k]) => {
                 let mut moment = [i, j, k];
                 moment.sort_unstable();
-                Common::Line(Bound::Level(moment))
+                Common::Line(Line::Level(moment))
             }
             _ => Common::Unknown,
         }
     }
 
-    /// The place where a ghost arc ends on a line.
-    fn foot(&self, node: NodeId, bound: Bound) -> Option<Place> {
+    /// The place where a ghost arc ends on a line; nothing if none that starts at a vertex or an
+    /// event, as all do, ever reaches it.
+    fn foot(&self, node: NodeId, line: Line) -> Option<Place> {
         self.incidence.arcs(node).iter().find_map(|&a| {
             let arc = self.skeleton.arc(ArcId::raw(a));
             if arc.kind != ArcKind::Ghost || arc.nodes[1] != node {
@@ -165,11 +175,12 @@ impl Checker<'_> {
                 Place::Event { pair, moment } => Start::Event { pair, moment },
                 Place::Foot { .. } | Place::At { .. } => return None,
             };
-            let never = match bound {
-                Bound::Pair(pair) => self.planes.drift(pair, plane).is_zero(),
-                Bound::Level(_) | Bound::Time(_) => false,
+            let bound = match line {
+                Line::Pair(pair) if self.planes.drift(pair, plane).is_zero() => return None,
+                Line::Pair(pair) => Bound::Pair(pair),
+                Line::Level(moment) => Bound::Level(moment),
             };
-            (!never).then_some(Place::Foot {
+            Some(Place::Foot {
                 start,
                 plane,
                 bound,
@@ -218,12 +229,17 @@ impl Checker<'_> {
                 }
             }
             Place::Event { moment, .. } => moment.contains(&plane),
-            Place::Foot {
+            Place::At { pair, .. }
+            | Place::Foot {
                 bound: Bound::Pair(pair),
                 ..
             } => pair.contains(&plane),
-            // The third plane of the moment is not one of those around the node.
-            Place::Foot { .. } | Place::At { .. } => false,
+            // Of the planes of the moment, one only tells when; the others are asked.
+            Place::Foot {
+                plane: own,
+                bound: Bound::Level(_) | Bound::Time(_),
+                ..
+            } => *own == plane,
         }
     }
 }
