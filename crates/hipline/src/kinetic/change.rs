@@ -32,6 +32,8 @@ pub(super) struct Changes {
     pub(super) waves: BTreeMap<PlaneId, Vec<WaveId>>,
     /// Terminals that stand still, by their vertices.
     pub(super) closed: Vec<(TraceId, usize)>,
+    /// Terminals that start at this moment, with their planes.
+    opening: Vec<(TraceId, usize, PlaneId)>,
 }
 
 impl Kinetic<'_> {
@@ -180,11 +182,11 @@ impl Kinetic<'_> {
                 (None, None) => {}
                 (Some(plane), Some(here)) => {
                     let new = if here == x { self.restart(x) } else { here };
-                    self.open_terminal(new, terminal, plane);
+                    self.opens(new, terminal, plane);
                 }
                 (Some(plane), None) => {
                     if let Some(here) = self.arrived_at(terminal) {
-                        self.open_terminal(here, terminal, plane);
+                        self.opens(here, terminal, plane);
                     }
                 }
             }
@@ -211,6 +213,35 @@ impl Kinetic<'_> {
                 self.changes.closed.push((here, terminal));
             } else {
                 self.open_terminal(here, terminal, cap);
+            }
+        }
+    }
+
+    /// A terminal starts: before facets over tilted eaves do, or else when no straight vertex is left, because the
+    /// triangles beside its wavefront edge have no area yet.
+    fn opens(&mut self, x: TraceId, terminal: usize, plane: PlaneId) {
+        let edge = self.terminals[terminal].edge as u32;
+        let mut sides = [PlaneId(2 * edge), PlaneId(2 * edge + 1)].into_iter();
+        if sides.any(|side| self.planes.phases.eave_of(side).is_some()) {
+            self.open_terminal(x, terminal, plane);
+        } else {
+            self.changes.opening.push((x, terminal, plane));
+        }
+    }
+
+    /// Opens the terminals that start at this moment.
+    pub(super) fn open_starting_terminals(&mut self) {
+        for (x, terminal, plane) in std::mem::take(&mut self.changes.opening) {
+            let cap = self.terminal_plane(terminal);
+            let is_moving = |y: TraceId| self.front.trace(y).end == End::Moving;
+            let mut fresh = self.batch.fresh.iter().copied();
+            let here = if is_moving(x) {
+                Some(x)
+            } else {
+                fresh.find(|&y| is_moving(y) && self.front.trace(y).pair[0] == cap)
+            };
+            if let Some(here) = here {
+                self.open_terminal(here, terminal, plane);
             }
         }
     }

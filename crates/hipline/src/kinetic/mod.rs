@@ -139,6 +139,7 @@ impl Kinetic<'_> {
                 break;
             }
             self.remove_straight_vertices();
+            self.open_starting_terminals();
             self.open_moved_terminals();
             self.end_batch();
         }
