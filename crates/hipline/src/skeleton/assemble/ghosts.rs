@@ -72,6 +72,8 @@ struct Ceiling {
     /// Where it starts and ends (walking counterclockwise, so against the edge's
     /// direction); `None` is infinity.
     ends: [Option<u32>; 2],
+    /// Whether the stretches of the boundary before and after it bound the face from above, too.
+    goes_on: [bool; 2],
     /// Approximate coordinates of the ends along the edge, enlarged: high, low.
     high: f64,
     low: f64,
@@ -211,6 +213,7 @@ impl Assembly<'_> {
             let born = self.front.trace(ghost).born;
             let at = self.approximate(born, plane);
             let mut best: Option<(Place, Hit, Walk)> = None;
+            let mut best_touches = false;
             // A face without weights is monotone: its ceilings lie side by side, from high to
             // low, so one can stop a little after the last that comes into question.
             let monotone = self.planes.is_unweighted();
@@ -237,10 +240,23 @@ impl Assembly<'_> {
                     Hit::Start | Hit::Infinity => (*place(born), true),
                 };
                 let after_start = self.planes.compare_times(&at, place(born));
+                // A corner where the boundary turns back may be at one place with one on the other
+                // side of a wall: there, the ghost arc would only touch the face.
+                let touches = match &hit {
+                    Hit::Node(node) => {
+                        (0..2).any(|end| ceiling.ends[end] == Some(*node) && !ceiling.goes_on[end])
+                    }
+                    _ => false,
+                };
                 let nearer = best.as_ref().is_none_or(|(other, ..)| {
-                    self.planes.compare_times(&at, other) == Ordering::Less
+                    match self.planes.compare_times(&at, other) {
+                        Ordering::Less => true,
+                        Ordering::Equal => best_touches && !touches,
+                        Ordering::Greater => false,
+                    }
                 });
                 if nearer && (after_start.is_gt() || after_start.is_eq() && may_start) {
+                    best_touches = touches;
                     best = Some((at, hit, ceiling.walk));
                 }
             }
@@ -271,6 +287,9 @@ impl Assembly<'_> {
         let mut list = Vec::new();
         let mut jumps = Vec::new();
         for cycle in cycles {
+            let first = list.len();
+            let mut above = vec![false; cycle.len()];
+            let mut places = Vec::new();
             for (i, &walk) in cycle.iter().enumerate() {
                 let after = cycle[(i + 1) % cycle.len()];
                 let (x, up) = match walk {
@@ -298,6 +317,7 @@ impl Assembly<'_> {
                 let mut ceiling = Ceiling {
                     walk,
                     ends,
+                    goes_on: [false; 2],
                     high: f64::INFINITY,
                     low: f64::NEG_INFINITY,
                 };
@@ -308,45 +328,18 @@ impl Assembly<'_> {
                     ceiling.low = self.approximate(node, plane).0;
                 }
                 if self.is_ceiling(&ceiling, x, up, plane) {
+                    above[i] = true;
+                    places.push(i);
                     list.push(ceiling);
                 }
+            }
+            let n = cycle.len();
+            for (ceiling, i) in list[first..].iter_mut().zip(places) {
+                ceiling.goes_on = [above[(i + n - 1) % n], above[(i + 1) % n]];
             }
         }
         list.sort_by(|a, b| b.low.total_cmp(&a.low).then(b.high.total_cmp(&a.high)));
         (list, jumps)
-    }
-
-    /// The nodes at the lower ends of walls without thickness that stand in the way of ghost arcs,
-    /// perpendicular to the edge, each with the walk that comes down to it.
-    fn spikes(&self, cycles: &[Vec<Walk>], plane: PlaneId) -> Vec<(u32, Walk)> {
-        if !self.planes.has_upright() {
-            return Vec::new();
-        }
-        let place = |node: u32| self.places[node as usize].as_ref().expect("a finite node");
-        let goes_straight = |x: TraceId| {
-            let trace = self.front.trace(x);
-            match trace.end {
-                End::At(end) => self
-                    .planes
-                    .compare_along(place(trace.born), place(end), plane)
-                    .is_eq(),
-                End::Moving => self.planes.drift(trace.pair, plane).is_zero(),
-                End::Ghost => false,
-            }
-        };
-        let mut list = Vec::new();
-        for cycle in cycles {
-            for (i, &walk) in cycle.iter().enumerate() {
-                let after = cycle[(i + 1) % cycle.len()];
-                if let (Walk::Down(x), Walk::Up(y)) = (walk, after)
-                    && goes_straight(x)
-                    && goes_straight(y)
-                {
-                    list.push((self.front.trace(x).born, walk));
-                }
-            }
-        }
-        list
     }
 
     /// Whether a stretch goes strictly against the edge's direction.

@@ -7,6 +7,7 @@
 
 mod ghosts;
 mod names;
+mod walls;
 
 use super::{Arc, ArcKind, Face, InputGraph, Node, NodeKind, Region, Side, Skeleton, Stats};
 use crate::{

@@ -1,0 +1,43 @@
+//! Ghost arcs that meet walls without thickness: edges that stand still.
+
+use super::Assembly;
+use crate::{
+    kinetic::{End, Walk},
+    predicates::PlaneId,
+    topology::TraceId,
+};
+
+impl Assembly<'_> {
+    /// The nodes at the lower ends of walls without thickness that stand in the way of ghost arcs,
+    /// perpendicular to the edge, each with the walk that comes down to it.
+    pub(super) fn spikes(&self, cycles: &[Vec<Walk>], plane: PlaneId) -> Vec<(u32, Walk)> {
+        if !self.planes.has_upright() {
+            return Vec::new();
+        }
+        let place = |node: u32| self.places[node as usize].as_ref().expect("a finite node");
+        let goes_straight = |x: TraceId| {
+            let trace = self.front.trace(x);
+            match trace.end {
+                End::At(end) => self
+                    .planes
+                    .compare_along(place(trace.born), place(end), plane)
+                    .is_eq(),
+                End::Moving => self.planes.drift(trace.pair, plane).is_zero(),
+                End::Ghost => false,
+            }
+        };
+        let mut list = Vec::new();
+        for cycle in cycles {
+            for (i, &walk) in cycle.iter().enumerate() {
+                let after = cycle[(i + 1) % cycle.len()];
+                if let (Walk::Down(x), Walk::Up(y)) = (walk, after)
+                    && goes_straight(x)
+                    && goes_straight(y)
+                {
+                    list.push((self.front.trace(x).born, walk));
+                }
+            }
+        }
+        list
+    }
+}
