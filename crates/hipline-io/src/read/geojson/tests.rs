@@ -21,14 +21,8 @@ fn geometry(kind: &str, coordinates: &str) -> String {
 fn every_geometry() {
     let ring = "[[0,0],[1,0,9],[0,1,9,9],[0,0]]";
     let points = vec![[0.0, 0.0], [1.0, 0.0], [0.0, 1.0], [0.0, 0.0]];
-    let polygon = PolygonShape {
-        rings: vec![points.clone()],
-        speeds: None,
-    };
-    let line = LineShape {
-        points,
-        speeds: None,
-    };
+    let polygon = PolygonShape::new(vec![points.clone()]);
+    let line = LineShape::new(points);
     for (kind, coordinates, shape) in [
         (
             "Polygon",
