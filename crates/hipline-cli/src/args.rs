@@ -61,7 +61,7 @@ pub struct InputArgs {
     #[arg(long)]
     pub together: bool,
 
-    #[command(flatten, next_help_heading = "Weights")]
+    #[command(flatten)]
     pub weights: WeightArgs,
 }
 
@@ -222,7 +222,7 @@ Examples:
 pub struct SkeletonArgs {
     #[command(flatten)]
     pub input: InputArgs,
-    #[command(flatten, next_help_heading = "Weights")]
+    #[command(flatten)]
     pub gables: GableArgs,
     #[command(flatten)]
     pub compute: ComputeArgs,
@@ -249,7 +249,7 @@ Examples:
 pub struct OffsetArgs {
     #[command(flatten)]
     pub input: InputArgs,
-    #[command(flatten, next_help_heading = "Weights")]
+    #[command(flatten)]
     pub gables: GableArgs,
 
     /// Distances, in input units, with commas between them
@@ -346,7 +346,7 @@ Examples:
 pub struct CheckArgs {
     #[command(flatten)]
     pub input: InputArgs,
-    #[command(flatten, next_help_heading = "Weights")]
+    #[command(flatten)]
     pub gables: GableArgs,
 
     /// The JSON that `hipline skeleton` made of the input (with --together if so)
@@ -363,7 +363,7 @@ Examples:
 pub struct DrawArgs {
     #[command(flatten)]
     pub input: InputArgs,
-    #[command(flatten, next_help_heading = "Weights")]
+    #[command(flatten)]
     pub gables: GableArgs,
     #[command(flatten)]
     pub output: OutputArgs,

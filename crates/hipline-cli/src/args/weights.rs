@@ -6,35 +6,36 @@ use clap::{Args as Group, ValueEnum};
 use hipline::input::Sides;
 use hipline_io::{Profile, Setting, Target, Value};
 
+const HEADING: &str = "Weights";
+
 /// How edges move.
 #[derive(Debug, Clone, Default, Group)]
-#[command(next_help_heading = "Weights")]
 pub struct WeightArgs {
     /// A table of weights (CSV): columns ring, edge and speed; feature, side, time and start if
     /// wanted
-    #[arg(long, value_name = "CSV")]
+    #[arg(long, help_heading = HEADING, value_name = "CSV")]
     pub weights: Option<PathBuf>,
 
     /// The speed of an edge's wavefront. An edge is EDGE (of ring 0), RING:EDGE or
     /// FEATURE:RING:EDGE, numbers from 0; * stands for all
-    #[arg(long, value_name = "EDGE=SPEED", value_parser = weight)]
+    #[arg(long, help_heading = HEADING, value_name = "EDGE=SPEED", value_parser = weight)]
     pub weight: Vec<Setting>,
 
     /// When an edge starts to move; it stands still before
-    #[arg(long, value_name = "EDGE=TIME", value_parser = start)]
+    #[arg(long, help_heading = HEADING, value_name = "EDGE=TIME", value_parser = start)]
     pub start: Vec<Setting>,
 
     /// Speeds by time, as 0:1,2.5:4, which multiply the weights; of all edges, or of one with
     /// EDGE= before them
-    #[arg(long, value_name = "TIME:SPEED,...", value_parser = profile)]
+    #[arg(long, help_heading = HEADING, value_name = "TIME:SPEED,...", value_parser = profile)]
     pub profile: Vec<Setting>,
 
     /// Where heights of vertices come from [default: what the file says of them]
-    #[arg(long, value_name = "FROM")]
+    #[arg(long, help_heading = HEADING, value_name = "FROM")]
     pub heights: Option<HeightsArg>,
 
     /// Compute also where edges pass below the heights of others, which then stand as walls
-    #[arg(long)]
+    #[arg(long, help_heading = HEADING)]
     pub allow_walls: bool,
 }
 
@@ -46,14 +47,13 @@ pub enum HeightsArg {
 
 /// The same for single edges and vertices. Apart, because roofs have other words for it.
 #[derive(Debug, Clone, Default, Group)]
-#[command(next_help_heading = "Weights")]
 pub struct GableArgs {
     /// An edge that stands still, as a wall with a gable; the same as --weight EDGE=0
-    #[arg(long, value_name = "EDGE", value_parser = gable)]
+    #[arg(long, help_heading = HEADING, value_name = "EDGE", value_parser = gable)]
     pub gable: Vec<Setting>,
 
     /// The height of a vertex, in units of time: no wavefront starts there before
-    #[arg(long, value_name = "VERTEX=HEIGHT", value_parser = height)]
+    #[arg(long, help_heading = HEADING, value_name = "VERTEX=HEIGHT", value_parser = height)]
     pub height: Vec<Setting>,
 }
 

@@ -147,3 +147,4 @@ pub(super) fn tabled<T: Clone>([a, b, c, s]: &[T; 4]) -> Plane<T> {
         s: s.clone(),
     }
 }
+
