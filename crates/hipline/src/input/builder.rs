@@ -2,8 +2,7 @@
 
 use super::{
     Change, Figure, Flaw, InvalidFigure, Place, change::Changes, crossing, gather, height,
-    height::Heights, nesting, range::Scale,
-    triangulate,
+    height::Heights, nesting, range::Scale, triangulate,
 };
 
 /// Collects polygons, polylines and graphs, then checks them all at once.

@@ -99,7 +99,9 @@ impl Figure {
     /// The height of a vertex: the time before which no wavefront edge starts there.
     #[must_use]
     pub fn height(&self, vertex: VertexId) -> f64 {
-        self.heights.get(vertex.index()).map_or(0.0, |&height| height)
+        self.heights
+            .get(vertex.index())
+            .map_or(0.0, |&height| height)
     }
 
     /// Whether a vertex has a height other than zero.

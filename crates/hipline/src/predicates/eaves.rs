@@ -147,4 +147,3 @@ pub(super) fn tabled<T: Clone>([a, b, c, s]: &[T; 4]) -> Plane<T> {
         s: s.clone(),
     }
 }
-

@@ -504,7 +504,9 @@ impl Planes {
     /// Whether two planes, one of them of a later phase, are the same.
     pub(super) fn are_one(&self, i: PlaneId, j: PlaneId) -> bool {
         let vanishes = |columns| self.sign_of(&Minor(i, j, columns)).is_zero();
-        [[0, 1], [0, 2], [1, 2], [0, 3], [1, 3]].into_iter().all(vanishes)
+        [[0, 1], [0, 2], [1, 2], [0, 3], [1, 3]]
+            .into_iter()
+            .all(vanishes)
             && self.same_direction(i, j)
     }
 

@@ -131,7 +131,10 @@ impl Phases {
         let changes = changes.iter().map(|change| [change.time, change.speed]);
         if !figure.has_height(e) {
             if changes.len() > 0 {
-                self.add_course(plane, std::iter::once([0.0, speed]).chain(changes).collect());
+                self.add_course(
+                    plane,
+                    std::iter::once([0.0, speed]).chain(changes).collect(),
+                );
             }
         } else if speed <= 0.0 {
             // It stands still for ever, or until it changes its speed.
@@ -142,7 +145,11 @@ impl Phases {
             let start = [[0.0, 0.0], [heights[0], speed]];
             self.add_course(plane, start.into_iter().chain(changes).collect());
         } else {
-            let [from, to] = if right { [heights[1], heights[0]] } else { heights };
+            let [from, to] = if right {
+                [heights[1], heights[0]]
+            } else {
+                heights
+            };
             let low = from.min(to);
             self.courses.push(Course {
                 planes: vec![plane],
@@ -248,7 +255,10 @@ impl Phases {
 
     /// The tilted eave whose wall is the given plane.
     pub(crate) fn eave_of(&self, wall: PlaneId) -> Option<&Eave> {
-        let at = self.eaves.binary_search_by_key(&wall, |eave| eave.wall).ok()?;
+        let at = self
+            .eaves
+            .binary_search_by_key(&wall, |eave| eave.wall)
+            .ok()?;
         Some(&self.eaves[at])
     }
 

@@ -336,9 +336,12 @@ impl Planes {
         let phases = Phases::new(figure, terminals, lines);
         let (mut unit, mut bits) = common_unit(vertices.iter().flatten().copied());
         let speed_unit = speeds::unit(figure, terminals, &phases);
-        for (low, high) in [phases::range(phases.later()), phases.height_range(speed_unit.0)]
-            .into_iter()
-            .flatten()
+        for (low, high) in [
+            phases::range(phases.later()),
+            phases.height_range(speed_unit.0),
+        ]
+        .into_iter()
+        .flatten()
         {
             let high = high.max(unit + bits);
             unit = unit.min(low);

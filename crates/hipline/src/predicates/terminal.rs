@@ -1,6 +1,9 @@
 //! Vertices of degree one, which emit a wavefront edge of their own.
 
-use crate::{input::Figure, topology::{EdgeId, VertexId}};
+use crate::{
+    input::Figure,
+    topology::{EdgeId, VertexId},
+};
 
 /// A vertex of degree one.
 #[derive(Debug, Clone, Copy)]

@@ -1,6 +1,6 @@
 //! Whether a figure with heights was reached at its own heights.
 
-use super::{Skeleton, Side};
+use super::{Side, Skeleton};
 use crate::{
     input::{Figure, Source},
     topology::{EdgeId, FaceId, NodeId},
@@ -88,6 +88,8 @@ impl Skeleton {
             tops[k] |= is_top;
             is_top || node.time <= 0.0
         };
-        self.holes(face).next().is_none() && self.boundary(face).iter().all(&mut fits) && tops == [true; 2]
+        self.holes(face).next().is_none()
+            && self.boundary(face).iter().all(&mut fits)
+            && tops == [true; 2]
     }
 }

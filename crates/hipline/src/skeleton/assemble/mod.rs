@@ -166,9 +166,7 @@ impl Assembly<'_> {
             let kind = match trace.end {
                 End::Ghost => ArcKind::Ghost,
                 _ if self.is_crease(&trace) => ArcKind::Crease,
-                _ if trace.turn == Sign::Negative
-                    && self.planes.phases.is_post(trace.pair[0]) =>
-                {
+                _ if trace.turn == Sign::Negative && self.planes.phases.is_post(trace.pair[0]) => {
                     ArcKind::Ghost
                 }
                 _ if trace.turn == Sign::Negative => ArcKind::Valley,

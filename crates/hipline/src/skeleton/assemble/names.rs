@@ -19,7 +19,7 @@ pub(super) struct Name {
 impl Assembly<'_> {
     /// The names of all faces that are there, in order.
     pub(super) fn names(&self, terminals: &[Terminal]) -> Vec<Name> {
-        let planes = self.face_planes();
+        let planes = self.face_planes(terminals);
         let mut names: Vec<Name> = (0..self.front.after_base.len() as u32)
             .filter(|&face| self.front.first_walk(face).is_some())
             .map(|face| self.name(face, planes[face as usize], terminals))
@@ -29,10 +29,22 @@ impl Assembly<'_> {
     }
 
     fn name(&self, face: u32, plane: PlaneId, terminals: &[Terminal]) -> Name {
+        let (edge, side) = self.edge_and_side(plane, terminals);
+        let (_, phase) = self.planes.phases.origin(plane);
+        Name {
+            edge,
+            side,
+            phase,
+            face,
+        }
+    }
+
+    /// The edge that a plane belongs to, and its side there.
+    fn edge_and_side(&self, plane: PlaneId, terminals: &[Terminal]) -> (u32, Side) {
         let edges = self.figure.edges();
-        let (first, phase) = self.planes.phases.origin(plane);
+        let (first, _) = self.planes.phases.origin(plane);
         let line = (first.0 / 2) as usize;
-        let (edge, side) = match terminals.get(line.wrapping_sub(edges.len())) {
+        match terminals.get(line.wrapping_sub(edges.len())) {
             Some(terminal) => {
                 let at_start = edges[terminal.edge].from.index() == terminal.tip;
                 let side = if at_start { Side::Start } else { Side::End };
@@ -46,12 +58,6 @@ impl Assembly<'_> {
                     Side::Right
                 },
             ),
-        };
-        Name {
-            edge,
-            side,
-            phase,
-            face,
         }
     }
 
@@ -59,7 +65,7 @@ impl Assembly<'_> {
     ///
     /// A face that starts at a crease may have several faces of one plane below it, whose
     /// wavefront edges went on as one; it gets its name from the first of them.
-    fn face_planes(&self) -> Vec<PlaneId> {
+    fn face_planes(&self, terminals: &[Terminal]) -> Vec<PlaneId> {
         let front = &self.front;
         let sides = 2 * self.figure.edges().len() as u32;
         let mut planes: Vec<PlaneId> = (0..front.bases)
@@ -89,11 +95,9 @@ impl Assembly<'_> {
             let time = self.planes.phases.time_of(start.plane);
             let plane = (first..end)
                 .map(|piece| face_of[2 * piece as usize])
-                .filter(|&face| face != u32::MAX)
-                .map(|face| planes[face as usize])
-                .chain(std::iter::once(old))
+                .map(|face| planes.get(face as usize).map_or(old, |&plane| plane))
                 .filter_map(|plane| self.planes.phases.after(plane, time))
-                .min_by_key(|&plane| self.planes.phases.origin(plane).0);
+                .min_by_key(|&plane| self.edge_and_side(plane, terminals));
             planes.push(plane.unwrap_or(start.plane));
         }
         planes

@@ -348,7 +348,8 @@ impl Checker<'_> {
         let (Side::Start | Side::End) = self.skeleton.face(face).side else {
             return;
         };
-        if self.skeleton.face(face).phase > 0 {
+        let record = self.skeleton.face(face);
+        if record.phase > 0 || self.is_still_terminal(record) {
             return;
         }
         let edge = self.skeleton.input.edges[self.skeleton.face(face).edge.index()];
