@@ -8,7 +8,7 @@ use serde_json::Map;
 
 use super::{
     position::{Position, line, polygon},
-    text::{Text, short},
+    text::{Text, number, short},
 };
 use crate::{
     Document, Feature, Format, ReadError,
@@ -71,10 +71,8 @@ impl State {
                 let [(x_at, x), (y_at, y), rest @ ..] = arguments else {
                     return Err(text.error(*at, "a vertex needs two numbers"));
                 };
-                let z = rest
-                    .first()
-                    .map(|(at, z)| text.number(*at, z))
-                    .transpose()?;
+                // Few look at it, so what is no number there is no error until it is needed.
+                let z = rest.first().and_then(|(_, z)| number(z).ok());
                 let place = [text.number(*x_at, x)?, text.number(*y_at, y)?];
                 self.vertices.push(Position { place, z });
                 self.known = true;
@@ -156,6 +154,7 @@ impl State {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::Motion;
 
     fn err(text: &str) -> String {
         read(text.as_bytes())
@@ -170,9 +169,23 @@ mod tests {
                     o my house\nf 1/5/6 2//3 3\nl 3 1\no empty\n";
         let features = read(text.as_bytes()).unwrap().features;
         let points = vec![[0.0, 0.0], [1.0, 0.0], [1.0, 1.0]];
-        let line = LineShape::new(points.clone());
-        let diagonal = LineShape::new(vec![[1.0, 1.0], [0.0, 0.0]]);
-        let polygon = PolygonShape::new(vec![points]);
+        let at = |z: &[Option<f64>]| Motion {
+            z: z.to_vec(),
+            ..Motion::default()
+        };
+        let corners = at(&[Some(7.0), Some(7.0), None]);
+        let line = LineShape {
+            motion: corners.clone(),
+            ..LineShape::new(points.clone())
+        };
+        let diagonal = LineShape {
+            motion: at(&[None, Some(7.0)]),
+            ..LineShape::new(vec![[1.0, 1.0], [0.0, 0.0]])
+        };
+        let polygon = PolygonShape {
+            motions: vec![corners],
+            ..PolygonShape::new(vec![points])
+        };
         assert_eq!(features.len(), 2);
         assert_eq!(
             (features[0].id.as_deref(), &features[0].case),

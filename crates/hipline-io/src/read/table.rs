@@ -3,7 +3,7 @@
 //! Columns `ring`, `edge` and `speed`; `feature`, `side`, `time` and `start` if wanted, in any order.
 //! What a target is: see [`Target`].
 
-use csv::{ReaderBuilder, StringRecord, Trim};
+use csv::{Position, ReaderBuilder, StringRecord, Trim};
 use hipline::input::Sides;
 
 use super::text::{number, short};
@@ -27,11 +27,11 @@ const COLUMNS: [&str; 7] = ["feature", "ring", "edge", "side", "speed", "time", 
 pub fn read_settings(bytes: &[u8], name: &str) -> Result<Vec<Setting>, ReadError> {
     let bytes = bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(bytes);
     let mut reader = ReaderBuilder::new().trim(Trim::All).from_reader(bytes);
-    let columns = columns(reader.headers().map_err(|e| broken(&e))?)?;
+    let columns = columns(reader.headers().map_err(|e| broken(bytes, &e))?)?;
     let mut settings = Vec::new();
     for record in reader.records() {
-        let record = record.map_err(|e| broken(&e))?;
-        let line = record.position().map_or(0, csv::Position::line);
+        let record = record.map_err(|e| broken(bytes, &e))?;
+        let line = record.position().map_or(0, |place| line(bytes, place));
         let row = Row {
             columns,
             record: &record,
@@ -50,10 +50,18 @@ fn content(message: String) -> ReadError {
     }
 }
 
-fn broken(e: &csv::Error) -> ReadError {
-    let place = e
-        .position()
-        .map_or_else(String::new, |p| format!("line {}: ", p.line()));
+/// The line of a record, which the reader places before the empty lines that it passed over.
+fn line(bytes: &[u8], place: &Position) -> u64 {
+    let start = usize::try_from(place.byte()).unwrap_or(usize::MAX);
+    let rest = bytes.get(start..).unwrap_or_default();
+    let breaks = rest.iter().take_while(|b| matches!(b, b'\r' | b'\n'));
+    place.line() + breaks.filter(|b| **b == b'\n').count() as u64
+}
+
+fn broken(bytes: &[u8], e: &csv::Error) -> ReadError {
+    let place = e.position().map_or_else(String::new, |place| {
+        format!("line {}: ", line(bytes, place))
+    });
     content(match e.kind() {
         csv::ErrorKind::Utf8 { .. } => format!("{place}not UTF-8 text"),
         csv::ErrorKind::UnequalLengths {

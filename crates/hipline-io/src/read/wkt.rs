@@ -262,6 +262,7 @@ impl<'a> Parser<'a> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::{LineShape, Motion, PolygonShape};
 
     fn ok(text: &str) -> Vec<Shape> {
         let document = read(text.as_bytes()).unwrap_or_else(|e| panic!("{text}: {e}"));
@@ -280,6 +281,10 @@ mod tests {
         let points = vec![[0.0, 0.0], [1.0, 0.0], [0.0, 1.0], [0.0, 0.0]];
         let polygon = PolygonShape::new(vec![points.clone()]);
         let line = LineShape::new(points);
+        let at = |z| Motion {
+            z: vec![Some(z); 4],
+            ..Motion::default()
+        };
         let ring = "(0 0, 1 0, 0 1, 0 0)";
         assert_eq!(
             ok(&format!("POLYGON({ring})")),
@@ -287,7 +292,10 @@ mod tests {
         );
         assert_eq!(
             ok("triangle z ((0 0 5, 1 0 5,0 1 5,0 0 5))"),
-            [Shape::Polygons(vec![polygon.clone()])]
+            [Shape::Polygons(vec![PolygonShape {
+                motions: vec![at(5.0)],
+                ..polygon.clone()
+            }])]
         );
         assert_eq!(
             ok(&format!("multipolygon ZM (({ring}), EMPTY, ({ring}))")),
@@ -295,7 +303,10 @@ mod tests {
         );
         assert_eq!(
             ok("LINESTRINGZ(0 0 1,1 0 1,0 1 1,0 0 1)"),
-            [Shape::Lines(vec![line.clone()])]
+            [Shape::Lines(vec![LineShape {
+                motion: at(1.0),
+                ..line.clone()
+            }])]
         );
         assert_eq!(
             ok(&format!("LINEARRING{ring}")),
