@@ -65,6 +65,7 @@ pub fn document(args: &InputArgs) -> Result<Input, Failure> {
 
 /// Reads the input that was asked for, with weights of single edges.
 pub fn weighted(args: &InputArgs, gables: &GableArgs) -> Result<Input, Failure> {
+    one_stream(args)?;
     parse(args, gables, &bytes(&args.path)?)
 }
 
@@ -95,15 +96,22 @@ pub fn parse(args: &InputArgs, gables: &GableArgs, bytes: &[u8]) -> Result<Input
     })
 }
 
+/// Standard input can be read once.
+fn one_stream(args: &InputArgs) -> Result<(), Failure> {
+    let weights = args.weights.weights.as_deref();
+    if weights.is_some_and(is_standard) && is_standard(&args.path) {
+        let message = "standard input cannot be both the input and its weights";
+        return Err(Failure::Usage(message.to_owned()));
+    }
+    Ok(())
+}
+
 /// All weights and heights that were given apart from the file.
 fn settings(args: &InputArgs, gables: &GableArgs) -> Result<Vec<Setting>, Failure> {
+    one_stream(args)?;
     let weights = &args.weights;
     let mut settings = match &weights.weights {
         None => Vec::new(),
-        Some(path) if is_standard(path) && is_standard(&args.path) => {
-            let message = "standard input cannot be both the input and its weights";
-            return Err(Failure::Usage(message.to_owned()));
-        }
         Some(path) => read_settings(&bytes(path)?, &name(path))
             .map_err(|e| Failure::Input(format!("{}: {e}", name(path))))?,
     };

@@ -134,10 +134,7 @@ fn tables_and_several_features() {
     );
     let by_table = scratch.skeleton("two.wkt", &["--weights", "t.csv"]);
     assert_eq!(by_table["results"].as_array().unwrap().len(), 2);
-    let together = scratch.skeleton(
-        "two.wkt",
-        &["--weights", "t.csv", "--together", "--side", "both"],
-    );
+    let together = scratch.skeleton("two.wkt", &["--weights", "t.csv", "--together"]);
     assert!(together["arcs"].is_array());
     let offset = scratch.run(&["offset", "two.wkt", "--weights", "t.csv", "-d", "1"]);
     assert_eq!(code(&offset), 0, "{}", err(&offset));
