@@ -136,10 +136,22 @@ fn tables_and_several_features() {
     assert_eq!(by_table["results"].as_array().unwrap().len(), 2);
     let together = scratch.skeleton("two.wkt", &["--weights", "t.csv", "--together"]);
     assert!(together["arcs"].is_array());
-    let offset = scratch.run(&["offset", "two.wkt", "--weights", "t.csv", "-d", "1"]);
+    let late = scratch.run(&["offset", "two.wkt", "--weights", "t.csv", "-d", "1"]);
+    assert_eq!(code(&late), 1);
+    assert!(
+        err(&late).contains("feature 1: offsets of edges that change"),
+        "{}",
+        err(&late)
+    );
+    let offset = scratch.run(&[
+        "offset", "two.wkt", "--gable", "0:0:1", "-d", "1", "-f", "wkt",
+    ]);
     assert_eq!(code(&offset), 0, "{}", err(&offset));
-    let plain = scratch.run(&["offset", "two.wkt", "-d", "1"]);
-    assert_ne!(offset.stdout, plain.stdout);
+    let text = String::from_utf8(offset.stdout).unwrap();
+    assert!(
+        text.contains("12.0 7.0 1.0") && !text.contains("11.0 7.0"),
+        "{text}"
+    );
 }
 
 #[test]

@@ -2,7 +2,7 @@
 
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use hipline::{Figure, Region, Skeleton, offset::Offset};
+use hipline::{Figure, Region, Skeleton, offset::Offset, topology::VertexId};
 
 use super::write_offset;
 use crate::{
@@ -45,6 +45,10 @@ pub fn run(args: &OffsetArgs) -> Result<Outcome, Failure> {
             endless.store(true, Ordering::Relaxed);
             return Err("its offsets never end".to_owned());
         }
+        if moves_late(figure) {
+            let message = "offsets of edges that change their speed, start late or have heights are not computed yet";
+            return Err(message.to_owned());
+        }
         let skeleton = compute::skeleton(item, figure, args.compute.options())?;
         let distances = distances(args, &skeleton)?;
         let offsets = skeleton
@@ -78,6 +82,13 @@ fn never_ends(args: &OffsetArgs, figure: &Figure) -> bool {
         Region::Exterior | Region::Both => false,
     };
     args.step.is_some() && args.count.is_none() && !is_bounded
+}
+
+/// Whether the wavefront is not where the distance alone says: the library's offsets know one
+/// phase of each edge.
+fn moves_late(figure: &Figure) -> bool {
+    let mut vertices = (0..figure.vertices().len()).map(VertexId::new);
+    !figure.changes().is_empty() || vertices.any(|v| figure.height(v) > 0.0)
 }
 
 /// The distances asked for: as given, or the multiples of the step.
