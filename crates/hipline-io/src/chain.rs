@@ -74,13 +74,11 @@ pub(crate) fn chains(shape: &mut Shape) -> Vec<Chain<'_>> {
 
 /// Takes the third coordinates of a shape as heights of the vertices that have none yet.
 pub(crate) fn heights_from_z(shape: &mut Shape) -> Result<(), String> {
-    let numbered = chains(shape).into_iter().enumerate();
-    numbered
-        .map(|(i, mut chain)| {
-            let error = |e| format!("ring or line {i}: {e}");
-            chain.heights_from_z().map_err(error)
-        })
-        .collect()
+    let mut numbered = chains(shape).into_iter().enumerate();
+    numbered.try_for_each(|(i, mut chain)| {
+        let error = |e| format!("ring or line {i}: {e}");
+        chain.heights_from_z().map_err(error)
+    })
 }
 
 fn collect<'a>(shape: &'a mut Shape, list: &mut Vec<Chain<'a>>) {

@@ -73,7 +73,7 @@ impl Profile {
     pub(crate) fn with_piece(&self, factor: f64, piece: [f64; 2]) -> Self {
         let mut pieces = self.0.clone();
         pieces.iter_mut().for_each(|p| p[1] *= factor);
-        pieces.retain(|p| p[0] < piece[0] || p[0] > piece[0]);
+        pieces.retain(|p| p[0].to_bits() != piece[0].to_bits());
         let place = pieces.partition_point(|p| p[0] < piece[0]);
         pieces.insert(place, piece);
         Self(pieces)

@@ -284,12 +284,12 @@ impl Setting {
                 "ring {ring} is of a polygon, whose edges move alike on both sides"
             ));
         }
-        if let (Value::Profile(profile), None) = (&self.value, self.target.index) {
-            if self.sides == Sides::Both {
-                chain.motion.profiles.clear();
-                chain.motion.profile = Some(profile.clone());
-                return Ok(());
-            }
+        if let (Value::Profile(profile), None) = (&self.value, self.target.index)
+            && self.sides == Sides::Both
+        {
+            chain.motion.profiles.clear();
+            chain.motion.profile = Some(profile.clone());
+            return Ok(());
         }
         let indices = self.target.index.map_or(0..count, |index| index..index + 1);
         for index in indices {

@@ -12,7 +12,7 @@ use super::{
     json::{arc_kind, side, string},
     number::Number,
     picture::OffsetLine,
-    window::{Window, place, trace},
+    window::{Window, is_same, place, trace},
 };
 use crate::FeatureName;
 
@@ -131,7 +131,7 @@ fn one<W: Write>(
             "\"nodes\":[{a},{b}],\"faces\":[{f},{g}],\"times\":[{s},{t}]}}"
         )?;
         let [p, q] = [[p[0], p[1]], [q[0], q[1]]];
-        if p == q {
+        if is_same(p, q) {
             // An arc that stands upright is a point of the map.
             write!(
                 w,

@@ -12,7 +12,7 @@ use super::{
     number::Rounded,
     palette,
     picture::Picture,
-    window::{Window, place, trace},
+    window::{Window, is_same, place, trace},
 };
 
 /// The longer side of the canvas, in SVG units. Coordinates are printed to 1/1000 of one.
@@ -198,7 +198,7 @@ impl Canvas {
         for arc in skeleton.arcs().iter().filter(|a| a.kind == kind) {
             let ends = self.window.clip_arc(skeleton, arc);
             // An arc that stands upright is a node.
-            if let Some(ends) = ends.map(flat).filter(|[p, q]| p != q) {
+            if let Some(ends) = ends.map(flat).filter(|[p, q]| !is_same(*p, *q)) {
                 self.piece(w, &mut is_open, &ends)?;
             }
         }

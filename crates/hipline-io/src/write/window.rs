@@ -266,6 +266,11 @@ pub(super) fn trace(polygon: &[[f64; 2]]) -> Option<[[f64; 2]; 2]> {
     polygon.iter().all(is_on_line).then_some([a, b])
 }
 
+/// Whether two points are one.
+pub(super) fn is_same(p: [f64; 2], q: [f64; 2]) -> bool {
+    (0..2).all(|i| p[i].total_cmp(&q[i]).is_eq())
+}
+
 pub(super) const fn place(node: &Node) -> [f64; 2] {
     [node.x, node.y]
 }
