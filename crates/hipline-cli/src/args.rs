@@ -19,6 +19,9 @@ use crate::parse::{
 };
 pub use observe::{Corners, Drained, PlaneArgs, QueryArgs, RainArgs, TerrainArgs};
 
+mod weights;
+pub use weights::{GableArgs, HeightsArg, WeightArgs};
+
 const EXAMPLES: &str = "\
 Examples:
   hipline skeleton village.geojson -o village.svg
@@ -75,6 +78,9 @@ pub struct InputArgs {
     /// Take all features as one graph: their wavefronts meet
     #[arg(long)]
     pub together: bool,
+
+    #[command(flatten)]
+    pub weights: WeightArgs,
 }
 
 fn input_format() -> impl TypedValueParser<Value = Format> {
@@ -246,11 +252,15 @@ pub struct SizeArgs {
 Examples:
   hipline skeleton village.geojson -o village.svg
   hipline skeleton coast.wkt --side exterior -o coast.json --stats
+  hipline skeleton house.geojson --gable 1 --gable 3 -o house.svg
+  hipline skeleton house.geojson --profile 0:1,2.5:4 -o mansard.svg
   hipline skeleton streets.graphml --format geojson > faces.geojson
   echo 'POLYGON ((0 0, 8 0, 8 4, 0 4))' | hipline skeleton - -o plan.svg --labels")]
 pub struct SkeletonArgs {
     #[command(flatten)]
     pub input: InputArgs,
+    #[command(flatten)]
+    pub gables: GableArgs,
     #[command(flatten)]
     pub compute: ComputeArgs,
     #[command(flatten)]
@@ -276,6 +286,8 @@ Examples:
 pub struct OffsetArgs {
     #[command(flatten)]
     pub input: InputArgs,
+    #[command(flatten)]
+    pub gables: GableArgs,
 
     /// Distances, in input units, with commas between them
     #[arg(short, long, value_name = "D,...", value_delimiter = ',',
@@ -516,6 +528,8 @@ Examples:
 pub struct CheckArgs {
     #[command(flatten)]
     pub input: InputArgs,
+    #[command(flatten)]
+    pub gables: GableArgs,
 
     /// The JSON that `hipline skeleton` made of the input (with --together if so)
     #[arg(long, value_name = "JSON")]
@@ -531,6 +545,8 @@ Examples:
 pub struct DrawArgs {
     #[command(flatten)]
     pub input: InputArgs,
+    #[command(flatten)]
+    pub gables: GableArgs,
     #[command(flatten)]
     pub output: OutputArgs,
     #[command(flatten)]

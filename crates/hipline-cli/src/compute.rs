@@ -39,10 +39,22 @@ const LONG: usize = 20_000;
 
 /// The skeletons of all items, in their order.
 pub fn skeletons(items: &[Item], options: Options) -> Vec<Computed> {
-    each(items, |_, figure| match figure {
-        Some(figure) => Ok(figure.skeleton(options)),
+    each(items, |item, figure| match figure {
+        Some(figure) => skeleton(item, figure, options),
         None => Ok(empty(options.region)),
     })
+}
+
+/// The skeleton of an item, if every edge was reached at its own heights, or need not.
+pub fn skeleton(item: &Item, figure: &Figure, options: Options) -> Result<Skeleton, String> {
+    let skeleton = figure.skeleton(options);
+    if !item.allows_walls() {
+        skeleton.check_heights(figure).map_err(|early| {
+            let lines = early.to_string().replace('\n', "; ");
+            format!("{lines}; --allow-walls computes it nonetheless")
+        })?;
+    }
+    Ok(skeleton)
 }
 
 /// Computes something of each item's figure, or of none if its geometry is empty. On all

@@ -1,12 +1,15 @@
 //! What a file holds, as plain data, and the way from there to a checked figure.
 //!
-//! Nothing here is checked beyond the shape of the data: whether rings cross or speeds are
-//! positive is for [`FigureBuilder`] to find out.
+//! Nothing here is checked beyond the shape of the data: whether rings cross, edges are too steep or
+//! speeds are negative is for [`FigureBuilder`] to find out.
 
 use hipline::{Figure, FigureBuilder};
 use serde_json::{Map, Value};
 
-use crate::error::{FeatureName, FigureError, Reason};
+use crate::{
+    error::{FeatureName, FigureError, Reason},
+    motion::Motion,
+};
 
 /// Everything in a file, in its order.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -50,8 +53,10 @@ pub enum Shape {
 pub struct PolygonShape {
     /// The rings, as the file has them (the last point may repeat the first).
     pub rings: Vec<Vec<[f64; 2]>>,
-    /// A speed for each edge, ring by ring.
+    /// A weight for each edge, ring by ring: its speed, if it has no profile.
     pub speeds: Option<Vec<Vec<f64>>>,
+    /// What else there is to say of each ring, or none of any.
+    pub motions: Vec<Motion>,
 }
 
 /// A polyline.
@@ -59,8 +64,10 @@ pub struct PolygonShape {
 pub struct LineShape {
     /// Its points; it is closed if the last equals the first.
     pub points: Vec<[f64; 2]>,
-    /// `[left, right]` speeds for each edge.
+    /// `[left, right]` weights for each edge: its speeds, if it has no profile.
     pub speeds: Option<Vec<[f64; 2]>>,
+    /// What else there is to say of it.
+    pub motion: Motion,
 }
 
 /// A graph.
@@ -70,8 +77,110 @@ pub struct GraphShape {
     pub vertices: Vec<[f64; 2]>,
     /// Its edges, as pairs of vertex numbers.
     pub edges: Vec<[usize; 2]>,
-    /// `[left, right]` speeds for each edge.
+    /// `[left, right]` weights for each edge: its speeds, if it has no profile.
     pub speeds: Option<Vec<[f64; 2]>>,
+    /// What else there is to say of it.
+    pub motion: Motion,
+}
+
+impl PolygonShape {
+    /// A polygon without weights.
+    #[must_use]
+    pub fn new(rings: Vec<Vec<[f64; 2]>>) -> Self {
+        Self {
+            rings,
+            ..Self::default()
+        }
+    }
+
+    fn add_to(&self, builder: &mut FigureBuilder) {
+        let Self {
+            rings,
+            speeds,
+            motions,
+        } = self;
+        if motions.is_empty() {
+            match speeds {
+                None => builder.polygon(rings.clone()),
+                Some(speeds) => builder.weighted_polygon(rings.clone(), speeds.clone()),
+            };
+            return;
+        }
+        let ones = || rings.iter().map(|ring| vec![1.0; edges_of_ring(ring)]);
+        let weights = speeds.clone().unwrap_or_else(|| ones().collect());
+        let steady = Motion::default();
+        let motion = |ring: usize| motions.get(ring).unwrap_or(&steady);
+        let first = |(ring, list): (usize, &Vec<f64>)| {
+            let speed = |(edge, &w)| motion(ring).first_speed(edge, 0, w);
+            list.iter().enumerate().map(speed).collect()
+        };
+        let first = weights.iter().enumerate().map(first).collect();
+        let part = builder.weighted_polygon(rings.clone(), first);
+        for (ring, points) in rings.iter().enumerate() {
+            let weight = |edge| weights.get(ring).and_then(|list: &Vec<f64>| list.get(edge));
+            let pairs: Vec<_> = (0..edges_of_ring(points))
+                .map(|edge| [weight(edge).map_or(1.0, |&w| w); 2])
+                .collect();
+            motion(ring).feed(builder, part, ring, &pairs);
+        }
+    }
+}
+
+impl LineShape {
+    /// A line without weights.
+    #[must_use]
+    pub fn new(points: Vec<[f64; 2]>) -> Self {
+        Self {
+            points,
+            ..Self::default()
+        }
+    }
+
+    fn add_to(&self, builder: &mut FigureBuilder) {
+        let edges = self.points.len().saturating_sub(1);
+        let (weights, first) = speeds_of(self.speeds.as_deref(), &self.motion, edges);
+        let points = self.points.clone();
+        let part = match first {
+            None => builder.polyline(points),
+            Some(speeds) => builder.weighted_polyline(points, speeds),
+        };
+        self.motion.feed(builder, part, 0, &weights);
+    }
+}
+
+impl GraphShape {
+    fn add_to(&self, builder: &mut FigureBuilder) {
+        let (weights, first) = speeds_of(self.speeds.as_deref(), &self.motion, self.edges.len());
+        let (vertices, edges) = (self.vertices.clone(), self.edges.clone());
+        let part = match first {
+            None => builder.graph(vertices, edges),
+            Some(speeds) => builder.weighted_graph(vertices, edges, speeds),
+        };
+        self.motion.feed(builder, part, 0, &weights);
+    }
+}
+
+/// The weights of so many edges, and their speeds at the time 0 (none if all are 1).
+fn speeds_of(
+    given: Option<&[[f64; 2]]>,
+    motion: &Motion,
+    edges: usize,
+) -> (Vec<[f64; 2]>, Option<Vec<[f64; 2]>>) {
+    let mut weights = given.map_or_else(|| vec![[1.0; 2]; edges], <[_]>::to_vec);
+    let first = (given.is_some() || !motion.is_steady()).then(|| {
+        let pair = |(edge, w): (usize, &[f64; 2])| {
+            [0, 1].map(|side| motion.first_speed(edge, side, w[side]))
+        };
+        weights.iter().enumerate().map(pair).collect()
+    });
+    // That there are too few or too many is for the builder to find.
+    weights.resize(edges, [1.0; 2]);
+    (weights, first)
+}
+
+/// How many edges, and vertices, a ring has, whether its last point repeats the first or not.
+pub(crate) fn edges_of_ring(points: &[[f64; 2]]) -> usize {
+    points.len() - usize::from(points.len() > 2 && points.first() == points.last())
 }
 
 impl Document {
@@ -146,34 +255,15 @@ impl Shape {
         match self {
             Self::Empty | Self::Points(_) => 0,
             Self::Polygons(polygons) => {
-                for PolygonShape { rings, speeds } in polygons {
-                    match speeds {
-                        None => builder.polygon(rings.clone()),
-                        Some(speeds) => builder.weighted_polygon(rings.clone(), speeds.clone()),
-                    };
-                }
+                polygons.iter().for_each(|polygon| polygon.add_to(builder));
                 polygons.len()
             }
             Self::Lines(lines) => {
-                for LineShape { points, speeds } in lines {
-                    match speeds {
-                        None => builder.polyline(points.clone()),
-                        Some(speeds) => builder.weighted_polyline(points.clone(), speeds.clone()),
-                    };
-                }
+                lines.iter().for_each(|line| line.add_to(builder));
                 lines.len()
             }
-            Self::Graph(GraphShape {
-                vertices,
-                edges,
-                speeds,
-            }) => {
-                match speeds {
-                    None => builder.graph(vertices.clone(), edges.clone()),
-                    Some(speeds) => {
-                        builder.weighted_graph(vertices.clone(), edges.clone(), speeds.clone())
-                    }
-                };
+            Self::Graph(graph) => {
+                graph.add_to(builder);
                 1
             }
             Self::Collection(shapes) => shapes.iter().map(|shape| shape.add_to(builder)).sum(),

@@ -3,7 +3,10 @@
 //! ```text
 //! format       which file format, by name or by a look at the content
 //! document     what a file holds: features, as plain data, on the way to a figure
-//! read/        GeoJSON, WKT, GraphML, .line, .poly, OBJ; a skeleton from its JSON
+//! motion       how edges move over time, and how high vertices are
+//! setting      weights and heights that are given apart from a file
+//! chain        the rings, lines and graphs of a shape in a row, to give them to
+//! read/        GeoJSON, WKT, GraphML, .line, .poly, OBJ; a skeleton from its JSON, weights from a table
 //! write/       JSON, GeoJSON, WKT, OBJ; SVG and PNG pictures; whole files or none
 //! ```
 //!
@@ -25,13 +28,18 @@
 //! # Ok::<(), hipline_io::ReadError>(())
 //! ```
 
+mod chain;
 mod document;
 mod error;
 mod format;
+mod motion;
 mod read;
+mod setting;
 pub mod write;
 
 pub use document::{Document, Feature, GraphShape, LineShape, PolygonShape, Shape};
 pub use error::{FeatureName, FigureError, ReadError, Reason};
 pub use format::Format;
-pub use read::{SkeletonRecord, read, read_skeleton, read_skeletons};
+pub use motion::{Motion, Profile};
+pub use read::{SkeletonRecord, read, read_settings, read_skeleton, read_skeletons};
+pub use setting::{Setting, SettingError, SettingErrors, Target, Value};

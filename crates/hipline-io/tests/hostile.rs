@@ -3,7 +3,7 @@
 
 mod common;
 
-use hipline_io::{Format, read, read_skeletons, write};
+use hipline_io::{Format, read, read_settings, read_skeletons, write};
 
 /// SplitMix64: small, seeded, the same everywhere.
 struct Random(u64);
@@ -34,6 +34,9 @@ fn samples() -> Vec<Vec<u8>> {
         <graph id="g"><node id="&lt;"><data key="x">1<![CDATA[2]]>&#48;</data></node><node id="b"><data key="x">2</data>
         </node><edge source="&lt;" target="b"><data key="w">2</data></edge></graph></graphml>"#,
         "2\n3\n0 0\n1 0\n0 1\n2\n5 5\n6 6\n",
+        r#"{"type":"Feature","properties":{"profile":[[0,1],[2,4]],"edge_starts":[[0,1,0]],"edge_profiles":[null,[[0,1],[1,0]],null],
+        "vertex_heights":[[0,0.5,0]],"heights_from_z":true},"geometry":{"type":"Polygon","coordinates":[[[0,0,1],[9,0,2],[0,9,1],[0,0,1]]]}}"#,
+        "feature,ring,edge,side,speed,time,start\n0,0,1,both,2,3,\n*,*,*,,1,,0.5\n",
         "4 0 0 1 0 1 1 0 1",
         "# c\no a b\nv 0 0 0\nv 1 0\\\n 0\nv 0 1 0\nf 1/1 2//2 -1\nl 1 2 3 1\n",
     ]
@@ -51,12 +54,18 @@ fn samples() -> Vec<Vec<u8>> {
 fn feed(bytes: &[u8]) {
     let _ = Format::from_content(bytes);
     for format in Format::ALL {
-        if let Ok(document) = read(bytes, format) {
+        if let Ok(mut document) = read(bytes, format) {
+            if let Ok(settings) = read_settings(b"edge,speed,start,time\n1,2,3,4\n*,0,,\n", "t") {
+                let _ = document.set(&settings);
+            }
+            let _ = document.heights_from_z();
             for feature in &document.features {
                 let _ = (feature.name().to_string(), feature.case.points());
+                let _ = feature.figure();
             }
         }
     }
+    let _ = read_settings(bytes, "t");
     for record in read_skeletons(bytes).into_iter().flatten() {
         if let Ok(skeleton) = record.result {
             let mut picture = write::Picture::new();

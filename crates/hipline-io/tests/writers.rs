@@ -404,6 +404,8 @@ fn svg_has_every_layer() {
             <g id="arcs">
             <g id="ghost" fill="none" stroke="#8d8f94" stroke-width="1.2" stroke-dasharray="6 6">
             </g>
+            <g id="crease" fill="none" stroke="#b98a2f" stroke-width="1.6">
+            </g>
             <g id="valley" fill="none" stroke="#2c6d9e" stroke-width="2">
             <path d="M100.894 303.108L0 202.214M100.894 303.108L0 404.002M899.106 303.108L1000 202.214M899.106 303.108L1000 404.002"/>
             </g>

@@ -138,7 +138,7 @@ fn speeds() {
     let mut builder = FigureBuilder::new();
     builder.weighted_polygon(
         vec![square(0., 0., 9.)],
-        vec![vec![1., 0., 2., f64::INFINITY]],
+        vec![vec![1., -0.5, 0., f64::INFINITY]],
     );
     builder.weighted_polygon(vec![square(20., 0., 9.)], vec![vec![1., 1., 2.]]);
     builder.weighted_polygon(vec![square(40., 0., 9.)], vec![]);
@@ -146,7 +146,7 @@ fn speeds() {
     builder.weighted_graph(ring("0,30 1,30"), vec![[0, 1]], vec![]);
     let bad = |edge, speed| Flaw::BadSpeed { edge, speed };
     let expected = [
-        bad(place(0, 0, 1), 0.),
+        bad(place(0, 0, 1), -0.5),
         bad(place(0, 0, 3), f64::INFINITY),
         Flaw::SpeedCount {
             at: place(1, 0, 0),

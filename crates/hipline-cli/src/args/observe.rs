@@ -5,7 +5,9 @@ use std::path::PathBuf;
 use clap::{Args as Group, Parser, ValueEnum};
 use hipline_io::Format;
 
-use super::{ComputeArgs, InputArgs, OutputArgs, SizeArgs, finite, input_format, positive, slope};
+use super::{
+    ComputeArgs, InputArgs, OutputArgs, SizeArgs, WeightArgs, finite, input_format, positive, slope,
+};
 
 /// Where the input comes from; its features share one plane.
 #[derive(Debug, Group)]
@@ -18,6 +20,9 @@ pub struct PlaneArgs {
     /// The format of the input [default: by its name, else by a look at it]
     #[arg(long, value_name = "FORMAT", value_parser = input_format())]
     pub from: Option<Format>,
+
+    #[command(flatten)]
+    pub weights: WeightArgs,
 }
 
 impl PlaneArgs {
@@ -26,6 +31,7 @@ impl PlaneArgs {
             path: self.path.clone(),
             from: self.from,
             together: true,
+            weights: self.weights.clone(),
         }
     }
 }

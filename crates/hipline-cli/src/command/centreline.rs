@@ -42,14 +42,14 @@ pub fn run(args: &CentrelineArgs) -> Result<Outcome, Failure> {
         .prune_ratio(args.prune_ratio)
         .longest(args.longest)
         .extend(args.extend);
-    let computed = each(&items, |_, figure| {
+    let computed = each(&items, |item, figure| {
         let Some(figure) = figure else {
             return Ok(Lines {
                 skeleton: compute::empty(args.compute.region()),
                 centreline: Centreline::default(),
             });
         };
-        let skeleton = figure.skeleton(args.compute.options());
+        let skeleton = compute::skeleton(item, figure, args.compute.options())?;
         let centreline = skeleton
             .centreline(figure, options)
             .map_err(|e| e.to_string())?;

@@ -16,7 +16,7 @@ use crate::{
 const SHOWN: usize = 20;
 
 pub fn run(args: &CheckArgs) -> Result<Outcome, Failure> {
-    let document = input::document(&args.input)?;
+    let document = input::weighted(&args.input, &args.gables)?;
     let items = Item::all(&document, args.input.together);
     match &args.result {
         None => check_input(&items),

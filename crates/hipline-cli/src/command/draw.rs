@@ -37,7 +37,7 @@ pub fn run(args: &DrawArgs) -> Result<Outcome, Failure> {
             }
         }
     } else {
-        let document = input::parse(&args.input, &bytes)?;
+        let document = input::parse(&args.input, &args.gables, &bytes)?;
         for item in Item::all(&document, args.input.together) {
             match item.figure() {
                 Ok(figure) => skeletons.push(of_figure(&figure)),
@@ -46,7 +46,7 @@ pub fn run(args: &DrawArgs) -> Result<Outcome, Failure> {
                     // Flaws are easier to find in a picture.
                     warn(format_args!("{error}; drawn as it is"));
                     skeletons.push(match item {
-                        Item::Feature(feature) => of_shapes([&feature.case]),
+                        Item::Feature(feature, _) => of_shapes([&feature.case]),
                         Item::Together(all) => of_shapes(all.features.iter().map(|f| &f.case)),
                     });
                 }

@@ -30,11 +30,11 @@ pub struct Offsets {
 pub fn run(args: &OffsetArgs) -> Result<Outcome, Failure> {
     let targets = output::targets(&args.output, Geojson, &FORMATS)?;
     let mut watch = Watch::start();
-    let document = input::document(&args.input)?;
+    let document = input::weighted(&args.input, &args.gables)?;
     let items = Item::all(&document, args.input.together);
     watch.lap("read");
     let endless = AtomicBool::new(false);
-    let computed = each(&items, |_, figure| {
+    let computed = each(&items, |item, figure| {
         let Some(figure) = figure else {
             return Ok(Offsets {
                 skeleton: compute::empty(args.compute.region()),
@@ -45,7 +45,7 @@ pub fn run(args: &OffsetArgs) -> Result<Outcome, Failure> {
             endless.store(true, Ordering::Relaxed);
             return Err("its offsets never end".to_owned());
         }
-        let skeleton = figure.skeleton(args.compute.options());
+        let skeleton = compute::skeleton(item, figure, args.compute.options())?;
         let distances = distances(args, &skeleton)?;
         let offsets = skeleton
             .offsets(figure, &distances)

@@ -87,7 +87,7 @@ pub fn run(args: &RoofArgs) -> Result<Outcome, Failure> {
 
 fn properties<'a>(item: &Item<'a>) -> Option<&'a Map<String, Value>> {
     match item {
-        Item::Feature(feature) => Some(&feature.properties),
+        Item::Feature(feature, _) => Some(&feature.properties),
         Item::Together(_) => None,
     }
 }

@@ -6,13 +6,13 @@ use hipline::{
     skeleton::Side,
     topology::{EdgeId, FaceId},
 };
-use hipline_io::{Document, write::HeightsError};
+use hipline_io::write::HeightsError;
 
 use crate::{
     args::{ComputeArgs, Corners, PlaneArgs},
     compute::{Computed, Watch, skeletons},
     failure::Failure,
-    input::{self, Item},
+    input::{self, Input, Item},
 };
 
 /// The free border of a window, as a part of the longer side of what it is around.
@@ -20,7 +20,7 @@ const MARGIN: f64 = 0.05;
 
 /// A plane with its skeleton.
 pub struct Scene {
-    pub document: Document,
+    pub document: Input,
     pub figure: Figure,
     pub computed: Vec<Computed>,
     pub watch: Watch,

@@ -22,7 +22,7 @@ pub fn run(args: &SkeletonArgs) -> Result<Outcome, Failure> {
     let targets = output::targets(&args.output, Json, &FORMATS)?;
     super::warn_of_labels(args.picture.labels, &targets);
     let mut watch = Watch::start();
-    let document = input::document(&args.input)?;
+    let document = input::weighted(&args.input, &args.gables)?;
     let items = Item::all(&document, args.input.together);
     watch.lap("read");
     let computed = skeletons(&items, args.compute.options());

@@ -1,7 +1,7 @@
 //! GeoJSON (RFC 7946), one object or several: one per line, or after record separators.
 //!
 //! Read by a visitor of our own instead of a general JSON tree, because a position then
-//! takes 24 bytes, and because `serde_json` with `float_roundtrip` gives every number as
+//! takes 32 bytes, and because `serde_json` with `float_roundtrip` gives every number as
 //! the nearest f64. The depth of nesting is limited by `serde_json` (128).
 
 use std::borrow::Cow;
@@ -9,11 +9,11 @@ use std::borrow::Cow;
 use serde::Deserialize;
 use serde_json::{Map, Value};
 
-use super::weights;
-use crate::{
-    Document, Feature, FeatureName, Format, ReadError,
-    document::{LineShape, PolygonShape, Shape},
+use super::{
+    position::{lines, polygons},
+    weights,
 };
+use crate::{Document, Feature, FeatureName, Format, ReadError, document::Shape};
 
 mod coordinates;
 use coordinates::Coordinates;
@@ -143,9 +143,7 @@ fn feature(object: Object, index: usize) -> Result<Feature, ReadError> {
         Some(None) => Shape::Empty,
         None => return Err(fail("a Feature without \"geometry\"".to_owned())),
     };
-    if let Some(list) = properties.get("edge_weights") {
-        weights::assign(&mut case, list).map_err(fail)?;
-    }
+    weights::assign(&mut case, &properties).map_err(fail)?;
     Ok(Feature {
         index,
         id,
@@ -196,10 +194,10 @@ fn shape(object: Object) -> Result<Shape, String> {
         "MultiPoint" => coordinates
             .points()
             .map(|points| Shape::Points(points.len())),
-        "LineString" => coordinates.points().map(|line| lines(vec![line])),
-        "MultiLineString" => coordinates.chains().map(lines),
-        "Polygon" => coordinates.chains().map(|rings| polygons(vec![rings])),
-        _ => coordinates.polygons().map(polygons),
+        "LineString" => coordinates.points().map(|line| lines(&[line])),
+        "MultiLineString" => coordinates.chains().map(|chains| lines(&chains)),
+        "Polygon" => coordinates.chains().map(|rings| polygons(&[rings])),
+        _ => coordinates.polygons().map(|list| polygons(&list)),
     };
     let mut shape =
         shape.ok_or_else(|| format!("the \"coordinates\" of a {kind} are nested wrongly"))?;
@@ -207,32 +205,6 @@ fn shape(object: Object) -> Result<Shape, String> {
         shape = Shape::Empty;
     }
     Ok(shape)
-}
-
-fn lines(lines: Vec<Vec<[f64; 2]>>) -> Shape {
-    let lines = lines.into_iter().filter(|points| !points.is_empty());
-    Shape::Lines(
-        lines
-            .map(|points| LineShape {
-                points,
-                speeds: None,
-            })
-            .collect(),
-    )
-}
-
-fn polygons(polygons: Vec<Vec<Vec<[f64; 2]>>>) -> Shape {
-    let polygons = polygons
-        .into_iter()
-        .filter(|rings| rings.iter().any(|ring| !ring.is_empty()));
-    Shape::Polygons(
-        polygons
-            .map(|rings| PolygonShape {
-                rings,
-                speeds: None,
-            })
-            .collect(),
-    )
 }
 
 #[cfg(test)]

@@ -1,7 +1,8 @@
 //! GraphML with the keys of the Salzburg programs (surfer2, monos, format-converter).
 //!
 //! A key is known by its `attr.name`: `vertex-coordinate-x`, `vertex-coordinate-y`,
-//! `edge-weight` (it holds on both sides) and `edge-weight-additive` (only 0 so far).
+//! `vertex-coordinate-z` (a height), `edge-weight` (it holds on both sides) and
+//! `edge-weight-additive` (when the edge starts).
 //! Nodes are named by any strings; every `graph` is one feature.
 
 use std::collections::HashMap;
@@ -16,6 +17,7 @@ use super::text::{Text, short};
 use crate::{
     Document, Feature, Format, ReadError,
     document::{GraphShape, Shape},
+    motion::Motion,
 };
 
 pub(super) fn read(bytes: &[u8]) -> Result<Document, ReadError> {
@@ -79,6 +81,7 @@ struct Graph {
     id: Option<String>,
     names: HashMap<String, usize>,
     vertices: Vec<[f64; 2]>,
+    z: Vec<Option<f64>>,
     edges: Vec<Edge>,
     node: Option<Node>,
     edge: Option<Edge>,
@@ -88,7 +91,7 @@ struct Graph {
 struct Node {
     id: String,
     at: usize,
-    place: [Option<f64>; 2],
+    place: [Option<f64>; 3],
 }
 
 struct Edge {
@@ -182,7 +185,7 @@ impl<'a> State<'a> {
                 let node = Node {
                     id: self.required(tag, "id")?,
                     at: self.at,
-                    place: [None; 2],
+                    place: [None; 3],
                 };
                 if let Some(graph) = &mut self.graph {
                     graph.node = Some(node);
@@ -242,6 +245,7 @@ impl<'a> State<'a> {
         let slot = match (name, &mut graph.node, &mut graph.edge) {
             ("vertex-coordinate-x", Some(node), _) => &mut node.place[0],
             ("vertex-coordinate-y", Some(node), _) => &mut node.place[1],
+            ("vertex-coordinate-z", Some(node), _) => &mut node.place[2],
             ("edge-weight", _, Some(edge)) => &mut edge.weight,
             ("edge-weight-additive", _, Some(edge)) => &mut edge.additive,
             _ => return Ok(()),
@@ -267,15 +271,16 @@ impl<'a> State<'a> {
         else {
             return Ok(());
         };
-        for (slot, name) in place
-            .iter_mut()
-            .zip(["vertex-coordinate-x", "vertex-coordinate-y"])
-        {
+        for (slot, name) in place.iter_mut().zip([
+            "vertex-coordinate-x",
+            "vertex-coordinate-y",
+            "vertex-coordinate-z",
+        ]) {
             if slot.is_none() {
                 *slot = self.default_of(name)?;
             }
         }
-        let [Some(x), Some(y)] = place else {
+        let [Some(x), Some(y), z] = place else {
             let axis = if place[0].is_none() { "x" } else { "y" };
             return Err(self.text.error(
                 at,
@@ -290,6 +295,7 @@ impl<'a> State<'a> {
             }
             graph.names.insert(id, graph.vertices.len());
             graph.vertices.push([x, y]);
+            graph.z.push(z);
         }
         Ok(())
     }
@@ -304,10 +310,9 @@ impl<'a> State<'a> {
         edge.additive = edge
             .additive
             .map_or_else(|| self.default_of("edge-weight-additive"), |w| Ok(Some(w)))?;
-        if let Some(additive) = edge.additive.filter(|w| *w != 0.0) {
-            let message = format!(
-                "additive weights are not supported yet (edge-weight-additive is {additive})"
-            );
+        if let Some(start) = edge.additive.filter(|start| *start < 0.0) {
+            let message =
+                format!("no edge starts before the time 0 (edge-weight-additive is {start})");
             return Err(self.text.error(edge.at, message));
         }
         if let Some(graph) = &mut self.graph {
@@ -343,10 +348,20 @@ impl<'a> State<'a> {
                 .map(|e| [e.weight.unwrap_or(1.0); 2])
                 .collect()
         });
+        let mut motion = Motion::default();
+        let start = |(i, edge): (usize, &Edge)| {
+            let start = edge.additive.filter(|start| *start > 0.0)?;
+            Some((i, [start; 2]))
+        };
+        motion.starts = graph.edges.iter().enumerate().filter_map(start).collect();
+        if graph.z.iter().any(Option::is_some) {
+            motion.z = graph.z;
+        }
         let shape = Shape::Graph(GraphShape {
             vertices: graph.vertices,
             edges,
             speeds,
+            motion,
         });
         let case = if shape.is_empty() {
             Shape::Empty

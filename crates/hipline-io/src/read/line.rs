@@ -15,14 +15,7 @@ use crate::{
 pub(super) fn read_line(bytes: &[u8]) -> Result<Document, ReadError> {
     let lines = blocks(Text::new(Format::Line.name(), bytes)?)?;
     let lines = lines.into_iter().filter(|points| !points.is_empty());
-    Ok(document(Shape::Lines(
-        lines
-            .map(|points| LineShape {
-                points,
-                speeds: None,
-            })
-            .collect(),
-    )))
+    Ok(document(Shape::Lines(lines.map(LineShape::new).collect())))
 }
 
 pub(super) fn read_poly(bytes: &[u8]) -> Result<Document, ReadError> {
@@ -30,10 +23,7 @@ pub(super) fn read_poly(bytes: &[u8]) -> Result<Document, ReadError> {
     if rings.iter().all(Vec::is_empty) {
         return Ok(document(Shape::Empty));
     }
-    Ok(document(Shape::Polygons(vec![PolygonShape {
-        rings,
-        speeds: None,
-    }])))
+    Ok(document(Shape::Polygons(vec![PolygonShape::new(rings)])))
 }
 
 fn document(shape: Shape) -> Document {

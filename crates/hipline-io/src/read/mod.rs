@@ -4,12 +4,16 @@ mod geojson;
 mod graphml;
 mod line;
 mod obj;
+mod position;
 mod skeleton;
+mod table;
 mod text;
 mod weights;
 mod wkt;
 
 pub use skeleton::{SkeletonRecord, read_skeleton, read_skeletons};
+pub use table::read_settings;
+pub(crate) use text::short;
 pub(crate) use wkt::is_keyword as is_wkt_keyword;
 
 use crate::{Document, Format, ReadError};

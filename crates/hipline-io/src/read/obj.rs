@@ -1,4 +1,4 @@
-//! Wavefront OBJ: `v x y z` (the height is dropped), `l` (polylines), `f` (polygons).
+//! Wavefront OBJ: `v x y z` (z is a height), `l` (polylines), `f` (polygons).
 //!
 //! Vertices are numbered from 1, or from the last one with negative numbers; what follows
 //! a slash is dropped. Everything up to the next `o` is one feature. Other statements are
@@ -6,7 +6,10 @@
 
 use serde_json::Map;
 
-use super::text::{Text, short};
+use super::{
+    position::{Position, line, polygon},
+    text::{Text, number, short},
+};
 use crate::{
     Document, Feature, Format, ReadError,
     document::{LineShape, PolygonShape, Shape},
@@ -49,7 +52,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Document, ReadError> {
 
 #[derive(Default)]
 struct State {
-    vertices: Vec<[f64; 2]>,
+    vertices: Vec<Position>,
     name: Option<String>,
     lines: Vec<LineShape>,
     polygons: Vec<PolygonShape>,
@@ -65,26 +68,22 @@ impl State {
         };
         match *keyword {
             "v" => {
-                let [(x_at, x), (y_at, y), ..] = arguments else {
+                let [(x_at, x), (y_at, y), rest @ ..] = arguments else {
                     return Err(text.error(*at, "a vertex needs two numbers"));
                 };
-                self.vertices
-                    .push([text.number(*x_at, x)?, text.number(*y_at, y)?]);
+                // Few look at it, so what is no number there is no error until it is needed.
+                let z = rest.first().and_then(|(_, z)| number(z).ok());
+                let place = [text.number(*x_at, x)?, text.number(*y_at, y)?];
+                self.vertices.push(Position { place, z });
                 self.known = true;
             }
             "l" => {
                 let points = self.chain(text, arguments)?;
-                self.lines.push(LineShape {
-                    points,
-                    speeds: None,
-                });
+                self.lines.push(line(&points));
             }
             "f" => {
-                let rings = vec![self.chain(text, arguments)?];
-                self.polygons.push(PolygonShape {
-                    rings,
-                    speeds: None,
-                });
+                let ring = self.chain(text, arguments)?;
+                self.polygons.push(polygon(&[ring]));
             }
             "o" => {
                 self.finish();
@@ -100,7 +99,7 @@ impl State {
         &mut self,
         text: Text,
         arguments: &[(usize, &str)],
-    ) -> Result<Vec<[f64; 2]>, ReadError> {
+    ) -> Result<Vec<Position>, ReadError> {
         self.known = true;
         arguments
             .iter()
@@ -111,7 +110,7 @@ impl State {
             .collect()
     }
 
-    fn vertex(&self, token: &str) -> Result<[f64; 2], String> {
+    fn vertex(&self, token: &str) -> Result<Position, String> {
         let number = token.split('/').next().unwrap_or_default();
         let count = self.vertices.len();
         let number: i64 = number
@@ -155,6 +154,7 @@ impl State {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::Motion;
 
     fn err(text: &str) -> String {
         read(text.as_bytes())
@@ -169,17 +169,22 @@ mod tests {
                     o my house\nf 1/5/6 2//3 3\nl 3 1\no empty\n";
         let features = read(text.as_bytes()).unwrap().features;
         let points = vec![[0.0, 0.0], [1.0, 0.0], [1.0, 1.0]];
+        let at = |z: &[Option<f64>]| Motion {
+            z: z.to_vec(),
+            ..Motion::default()
+        };
+        let corners = at(&[Some(7.0), Some(7.0), None]);
         let line = LineShape {
-            points: points.clone(),
-            speeds: None,
+            motion: corners.clone(),
+            ..LineShape::new(points.clone())
         };
         let diagonal = LineShape {
-            points: vec![[1.0, 1.0], [0.0, 0.0]],
-            speeds: None,
+            motion: at(&[None, Some(7.0)]),
+            ..LineShape::new(vec![[1.0, 1.0], [0.0, 0.0]])
         };
         let polygon = PolygonShape {
-            rings: vec![points],
-            speeds: None,
+            motions: vec![corners],
+            ..PolygonShape::new(vec![points])
         };
         assert_eq!(features.len(), 2);
         assert_eq!(

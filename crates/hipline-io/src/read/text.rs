@@ -61,14 +61,9 @@ pub(super) fn number(token: &str) -> Result<f64, String> {
 }
 
 /// A token in backticks, cut if it is long.
-pub(super) fn short(token: &str) -> String {
+pub(crate) fn short(token: &str) -> String {
     match token.char_indices().nth(40) {
         None => format!("`{token}`"),
         Some((end, _)) => format!("`{}...`", &token[..end]),
     }
-}
-
-/// Whether a chain of points ends where it starts.
-pub(super) fn is_closed(points: &[[f64; 2]]) -> bool {
-    points.len() > 1 && points.first() == points.last()
 }

@@ -3,15 +3,16 @@
 //! Hand-written, because an error must name its line and column, because numbers that are
 //! no finite doubles must be refused, and because the depth of nesting must be limited.
 //! Extensions: `#` starts a comment line, `SRID=...;` before a geometry is skipped (EWKT),
-//! geometries may be separated by `;`, and all that is more than x and y is dropped.
+//! geometries may be separated by `;`. A third number is a height, unless it is said to be a
+//! measure (`M`); a fourth one is dropped.
 
 use serde_json::Map;
 
-use super::text::{Text, short};
-use crate::{
-    Document, Feature, Format, ReadError,
-    document::{LineShape, PolygonShape, Shape},
+use super::{
+    position::{Chain, Position, lines, polygons},
+    text::{Text, short},
 };
+use crate::{Document, Feature, Format, ReadError, document::Shape};
 
 /// Geometry collections inside geometry collections.
 const DEEPEST: usize = 64;
@@ -49,7 +50,11 @@ fn keyword_of(word: &[u8]) -> &[u8] {
 
 pub(super) fn read(bytes: &[u8]) -> Result<Document, ReadError> {
     let text = Text::new(Format::Wkt.name(), bytes)?;
-    let mut parser = Parser { text, at: 0 };
+    let mut parser = Parser {
+        text,
+        at: 0,
+        is_measured: false,
+    };
     let mut document = Document::default();
     loop {
         while parser.peek() == Some(";") {
@@ -76,9 +81,9 @@ pub(super) fn read(bytes: &[u8]) -> Result<Document, ReadError> {
 struct Parser<'a> {
     text: Text<'a>,
     at: usize,
+    /// Whether a third number is a measure.
+    is_measured: bool,
 }
-
-type Chain = Vec<[f64; 2]>;
 
 impl<'a> Parser<'a> {
     /// Passes over white space and comment lines.
@@ -155,10 +160,10 @@ impl<'a> Parser<'a> {
             return Err(self.expected("POLYGON, LINESTRING or another geometry"));
         }
         self.take();
-        for dimension in ["Z", "M", "ZM"] {
-            if self.eat_word(dimension) {
-                break;
-            }
+        let suffix = &token.as_bytes()[word.len()..];
+        self.is_measured = suffix.eq_ignore_ascii_case(b"M") || self.eat_word("M");
+        if !self.is_measured && !self.eat_word("Z") {
+            self.eat_word("ZM");
         }
         if self.eat_word("EMPTY") {
             return Ok(Shape::Empty);
@@ -166,10 +171,10 @@ impl<'a> Parser<'a> {
         let shape = match word.as_str() {
             "POINT" => Shape::Points(self.chain()?.len()),
             "MULTIPOINT" => Shape::Points(self.multipoint()?),
-            "LINESTRING" | "LINEARRING" => lines(vec![self.chain()?]),
-            "MULTILINESTRING" => lines(self.list(Self::chain)?),
-            "POLYGON" | "TRIANGLE" => polygons(vec![self.list(Self::chain)?]),
-            "MULTIPOLYGON" => polygons(self.list(|p| p.list(Self::chain))?),
+            "LINESTRING" | "LINEARRING" => lines(&[self.chain()?]),
+            "MULTILINESTRING" => lines(&self.list(Self::chain)?),
+            "POLYGON" | "TRIANGLE" => polygons(&[self.list(Self::chain)?]),
+            "MULTIPOLYGON" => polygons(&self.list(|p| p.list(Self::chain))?),
             _ if depth == DEEPEST => {
                 return Err(self
                     .text
@@ -229,15 +234,17 @@ impl<'a> Parser<'a> {
         Ok(points.iter().map(Vec::len).sum())
     }
 
-    /// Two numbers, and up to two more that are dropped.
-    fn position(&mut self) -> Result<[f64; 2], ReadError> {
-        let position = [self.number()?, self.number()?];
-        for _ in 0..2 {
+    /// Two numbers, and up to two more.
+    fn position(&mut self) -> Result<Position, ReadError> {
+        let place = [self.number()?, self.number()?];
+        let mut more = [None; 2];
+        for slot in &mut more {
             if self.peek().is_some_and(|t| !matches!(t, "," | ")")) {
-                self.number()?;
+                *slot = Some(self.number()?);
             }
         }
-        Ok(position)
+        let z = more[0].filter(|_| !self.is_measured);
+        Ok(Position { place, z })
     }
 
     fn number(&mut self) -> Result<f64, ReadError> {
@@ -252,35 +259,10 @@ impl<'a> Parser<'a> {
     }
 }
 
-fn lines(lines: Vec<Chain>) -> Shape {
-    let lines = lines.into_iter().filter(|points| !points.is_empty());
-    Shape::Lines(
-        lines
-            .map(|points| LineShape {
-                points,
-                speeds: None,
-            })
-            .collect(),
-    )
-}
-
-fn polygons(polygons: Vec<Vec<Chain>>) -> Shape {
-    let polygons = polygons
-        .into_iter()
-        .filter(|rings| rings.iter().any(|ring| !ring.is_empty()));
-    Shape::Polygons(
-        polygons
-            .map(|rings| PolygonShape {
-                rings,
-                speeds: None,
-            })
-            .collect(),
-    )
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::{LineShape, Motion, PolygonShape};
 
     fn ok(text: &str) -> Vec<Shape> {
         let document = read(text.as_bytes()).unwrap_or_else(|e| panic!("{text}: {e}"));
@@ -297,13 +279,11 @@ mod tests {
     #[test]
     fn every_geometry() {
         let points = vec![[0.0, 0.0], [1.0, 0.0], [0.0, 1.0], [0.0, 0.0]];
-        let polygon = PolygonShape {
-            rings: vec![points.clone()],
-            speeds: None,
-        };
-        let line = LineShape {
-            points,
-            speeds: None,
+        let polygon = PolygonShape::new(vec![points.clone()]);
+        let line = LineShape::new(points);
+        let at = |z| Motion {
+            z: vec![Some(z); 4],
+            ..Motion::default()
         };
         let ring = "(0 0, 1 0, 0 1, 0 0)";
         assert_eq!(
@@ -312,7 +292,10 @@ mod tests {
         );
         assert_eq!(
             ok("triangle z ((0 0 5, 1 0 5,0 1 5,0 0 5))"),
-            [Shape::Polygons(vec![polygon.clone()])]
+            [Shape::Polygons(vec![PolygonShape {
+                motions: vec![at(5.0)],
+                ..polygon.clone()
+            }])]
         );
         assert_eq!(
             ok(&format!("multipolygon ZM (({ring}), EMPTY, ({ring}))")),
@@ -320,7 +303,10 @@ mod tests {
         );
         assert_eq!(
             ok("LINESTRINGZ(0 0 1,1 0 1,0 1 1,0 0 1)"),
-            [Shape::Lines(vec![line.clone()])]
+            [Shape::Lines(vec![LineShape {
+                motion: at(1.0),
+                ..line.clone()
+            }])]
         );
         assert_eq!(
             ok(&format!("LINEARRING{ring}")),

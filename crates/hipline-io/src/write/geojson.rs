@@ -12,7 +12,7 @@ use super::{
     json::{arc_kind, side, string},
     number::Number,
     picture::OffsetLine,
-    window::{Window, place},
+    window::{Window, is_same, place, trace},
 };
 use crate::FeatureName;
 
@@ -130,9 +130,20 @@ fn one<W: Write>(
             w,
             "\"nodes\":[{a},{b}],\"faces\":[{f},{g}],\"times\":[{s},{t}]}}"
         )?;
-        w.write_all(b",\"geometry\":{\"type\":\"LineString\",\"coordinates\":")?;
-        chain(w, &[[p[0], p[1]], [q[0], q[1]]], false)?;
-        w.write_all(b"}}")?;
+        let [p, q] = [[p[0], p[1]], [q[0], q[1]]];
+        if is_same(p, q) {
+            // An arc that stands upright is a point of the map.
+            write!(
+                w,
+                ",\"geometry\":{{\"type\":\"Point\",\"coordinates\":[{},{}]}}}}",
+                Number(p[0]),
+                Number(p[1])
+            )?;
+        } else {
+            w.write_all(b",\"geometry\":{\"type\":\"LineString\",\"coordinates\":")?;
+            chain(w, &[p, q], false)?;
+            w.write_all(b"}}")?;
+        }
     }
     for (i, face) in skeleton.faces().iter().enumerate() {
         let boundary = skeleton.boundary(FaceId::new(i));
@@ -147,10 +158,18 @@ fn one<W: Write>(
             w,
             "{{\"element\":\"face\",{source},\"face\":{i},\"edge\":{edge},\"side\":\"{side}\","
         )?;
-        write!(
-            w,
-            "\"bounded\":{is_bounded}}},\"geometry\":{{\"type\":\"Polygon\",\"coordinates\":["
-        )?;
+        if face.phase > 0 {
+            write!(w, "\"phase\":{},", face.phase)?;
+        }
+        write!(w, "\"bounded\":{is_bounded}}},\"geometry\":{{")?;
+        if let Some([p, q]) = trace(&outline) {
+            // A face that stands upright has no area on a map: it is the line below it.
+            w.write_all(b"\"type\":\"LineString\",\"coordinates\":")?;
+            chain(w, &[p, q], false)?;
+            w.write_all(b"}}")?;
+            continue;
+        }
+        w.write_all(b"\"type\":\"Polygon\",\"coordinates\":[")?;
         chain(w, &outline, true)?;
         for hole in skeleton.holes(FaceId::new(i)) {
             w.write_all(b",")?;

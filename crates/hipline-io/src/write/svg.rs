@@ -12,7 +12,7 @@ use super::{
     number::Rounded,
     palette,
     picture::Picture,
-    window::{Window, place},
+    window::{Window, is_same, place, trace},
 };
 
 /// The longer side of the canvas, in SVG units. Coordinates are printed to 1/1000 of one.
@@ -21,7 +21,7 @@ const CANVAS: f64 = 1000.0;
 impl Picture<'_> {
     /// Draws the picture as SVG.
     ///
-    /// The groups `faces`, `arcs` (with `ghost`, `valley`, `ridge`), `offsets`, `input`,
+    /// The groups `faces`, `arcs` (with `ghost`, `crease`, `valley`, `ridge`), `offsets`, `input`,
     /// `nodes` and `labels` can be switched by their ids.
     ///
     /// # Errors
@@ -56,6 +56,7 @@ impl Picture<'_> {
             writeln!(w, "<g id=\"arcs\">")?;
             for (kind, name, width, dash) in [
                 (ArcKind::Ghost, "ghost", 0.6, Some(3.0)),
+                (ArcKind::Crease, "crease", 0.8, None),
                 (ArcKind::Valley, "valley", 1.0, None),
                 (ArcKind::Ridge, "ridge", 1.0, None),
             ] {
@@ -172,7 +173,8 @@ impl Canvas {
             let outline = self
                 .window
                 .clip_face(skeleton, skeleton.boundary(FaceId::new(i)));
-            if outline.len() < 3 {
+            // Faces that stand upright are not seen from above.
+            if outline.len() < 3 || trace(&outline).is_some() {
                 continue;
             }
             // A stroke of the same colour closes the hairlines between neighbours.
@@ -194,8 +196,10 @@ impl Canvas {
     fn arcs(&self, w: &mut impl Write, skeleton: &Skeleton, kind: ArcKind) -> io::Result<()> {
         let mut is_open = false;
         for arc in skeleton.arcs().iter().filter(|a| a.kind == kind) {
-            if let Some(ends) = self.window.clip_arc(skeleton, arc) {
-                self.piece(w, &mut is_open, &ends.map(|[x, y, _]| [x, y]))?;
+            let ends = self.window.clip_arc(skeleton, arc);
+            // An arc that stands upright is a node.
+            if let Some(ends) = ends.map(flat).filter(|[p, q]| !is_same(*p, *q)) {
+                self.piece(w, &mut is_open, &ends)?;
             }
         }
         close(w, is_open)
@@ -304,6 +308,10 @@ impl Canvas {
         }
         Ok(())
     }
+}
+
+fn flat(ends: [[f64; 3]; 2]) -> [[f64; 2]; 2] {
+    ends.map(|[x, y, _]| [x, y])
 }
 
 fn close(w: &mut impl Write, is_open: bool) -> io::Result<()> {

@@ -238,6 +238,39 @@ impl Window {
     }
 }
 
+/// The line on which a polygon lies that has no area, such as a face that stands upright: from end
+/// to end. None if it has an area.
+///
+/// The corners are rounded, and so they are never quite on one line. What counts as an area is
+/// what the rounding of coordinates cannot have made.
+pub(super) fn trace(polygon: &[[f64; 2]]) -> Option<[[f64; 2]; 2]> {
+    let &a = polygon.first()?;
+    let from = |a: [f64; 2], p: [f64; 2]| [p[0] - a[0], p[1] - a[1]];
+    let length = |p: [f64; 2]| p[0].abs() + p[1].abs();
+    let far = |a: [f64; 2]| {
+        let farther =
+            |p: &&[f64; 2], q: &&[f64; 2]| length(from(a, **p)).total_cmp(&length(from(a, **q)));
+        polygon.iter().max_by(farther).copied()
+    };
+    let b = far(a)?;
+    let a = far(b)?;
+    let [dx, dy] = from(a, b);
+    let largest = polygon.iter().map(|&p| length(p)).fold(0.0, f64::max);
+    // Each coordinate is off by half a unit in the last place at most; four differences of them
+    // are multiplied by at most the length, and the products rounded.
+    let slack = 4.0 * f64::EPSILON * largest * length([dx, dy]);
+    let is_on_line = |&p: &[f64; 2]| {
+        let [px, py] = from(a, p);
+        (dx * py - dy * px).abs() <= slack
+    };
+    polygon.iter().all(is_on_line).then_some([a, b])
+}
+
+/// Whether two points are one.
+pub(super) fn is_same(p: [f64; 2], q: [f64; 2]) -> bool {
+    (0..2).all(|i| p[i].total_cmp(&q[i]).is_eq())
+}
+
 pub(super) const fn place(node: &Node) -> [f64; 2] {
     [node.x, node.y]
 }
@@ -259,6 +292,10 @@ fn along(p: [f64; 2], d: [f64; 2], s: f64) -> [f64; 2] {
 
 /// Where an arc that goes to infinity leaves the window.
 fn beyond(window: &Window, from: &Node, direction: [f64; 2]) -> Option<[f64; 3]> {
+    if direction == [0.0, 0.0] {
+        // It stands upright and goes nowhere in the plane.
+        return None;
+    }
     let [_, end] = window.inside(place(from), direction, f64::MAX)?;
     let [x, y] = along(place(from), direction, end);
     Some([x, y, from.time + end])
@@ -304,6 +341,17 @@ mod tests {
             UNIT.clip_polygon(&[[2.0, 2.0], [3.0, 2.0], [2.0, 3.0]]),
             [[0.0; 2]; 0]
         );
+    }
+
+    #[test]
+    fn upright_faces_have_a_trace() {
+        let third = 1.0 / 3.0;
+        let wall = [[0.1, 0.1], [0.7, 0.7], [third, third], [0.3, 0.1 + 0.2]];
+        assert_eq!(trace(&wall), Some([[0.1, 0.1], [0.7, 0.7]]));
+        assert_eq!(trace(&[[2.0, 1.0]; 3]), Some([[2.0, 1.0]; 2]));
+        assert_eq!(trace(&[[0.0, 0.0], [1.0, 0.0], [0.5, 1e-14]]), None);
+        assert_eq!(trace(&[[0.0, 0.0], [8.0, 0.0], [8.0, 4.0]]), None);
+        assert_eq!(trace(&[]), None);
     }
 
     #[test]

@@ -6,7 +6,7 @@
 use crate::{
     input::Figure,
     predicates::{Bound, Place, PlaneId, Planes, Start, Terminal},
-    skeleton::{ArcKind, NodeKind, Side, Skeleton},
+    skeleton::{ArcKind, Face, NodeKind, Side, Skeleton},
     topology::{ArcId, FaceId, NodeId},
 };
 use hipline_num::Sign;
@@ -46,6 +46,13 @@ impl<'a> Lift<'a> {
     /// The plane of a face.
     pub(crate) fn plane(&self, face: FaceId) -> PlaneId {
         let face = self.skeleton.face(face);
+        let first = self.first_plane(face);
+        let plane = self.planes.phases.plane(first, face.phase);
+        plane.expect("the skeleton is of this figure, and its edges have as many phases")
+    }
+
+    /// The plane of the first phase of a face's edge.
+    fn first_plane(&self, face: &Face) -> PlaneId {
         let [from, to] = self.skeleton.input().edges[face.edge.index()];
         let terminal = |tip: usize| {
             let i = self
@@ -113,6 +120,7 @@ impl<'a> Lift<'a> {
             .iter()
             .flat_map(|&arc| self.skeleton.arc(arc).faces)
             .map(|face| self.plane(face))
+            .chain(self.posts(id))
             .collect();
         let first = planes[0];
         let Some(&across) = planes
@@ -134,6 +142,32 @@ impl<'a> Lift<'a> {
             // All planes have a line in common: a ghost arc ends at another arc.
             None => self.foot(id, Bound::Pair(pair)),
         }
+    }
+
+    /// Upright planes through a node that is above a vertex where walls on one line meet, or both sides of
+    /// a wall end: those of the walls alone have a line in common.
+    fn posts(&self, id: NodeId) -> Vec<PlaneId> {
+        if !self.planes.has_upright() {
+            return Vec::new();
+        }
+        let mut list = Vec::new();
+        for &arc in self.arcs_at(id) {
+            let arc = self.skeleton.arc(arc);
+            let NodeKind::Input(vertex) = self.skeleton.node(arc.nodes[0]).kind else {
+                continue;
+            };
+            let planes = arc.faces.map(|face| self.plane(face));
+            for plane in planes {
+                list.extend(self.planes.post_at(self.skeleton.input(), plane, vertex));
+            }
+            if planes[0].0 ^ planes[1].0 == 1
+                && let Ok(i) = self.tips.binary_search(&vertex.index())
+            {
+                let cap = PlaneId(2 * (self.edges + i) as u32);
+                list.extend(self.planes.stands_still(cap).then_some(cap));
+            }
+        }
+        list
     }
 
     /// The end of a ghost arc at an arc of one height.

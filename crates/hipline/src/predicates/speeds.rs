@@ -11,6 +11,7 @@ use super::{
 };
 use crate::{
     input::Figure,
+    skeleton::InputGraph,
     topology::{EdgeId, VertexId},
 };
 
@@ -125,6 +126,19 @@ impl Planes {
     pub(crate) fn stands_still(&self, plane: PlaneId) -> bool {
         let still = |speeds: &Speeds| speeds.exact[plane.0 as usize] == IBig::ZERO;
         self.speeds.as_ref().is_some_and(still)
+    }
+
+    /// The post across a tilted eave at one of its ends, given the plane of the wall below it.
+    pub(crate) fn post_at(
+        &self,
+        input: &InputGraph,
+        wall: PlaneId,
+        vertex: VertexId,
+    ) -> Option<PlaneId> {
+        let eave = self.phases.eave_of(wall)?;
+        let edge = input.edges[eave.edge.index()];
+        let at_end = (edge[0] != vertex) != (wall.0 % 2 == 1);
+        Some(eave.posts[usize::from(at_end)])
     }
 
     /// Whether some wavefront edge stands still for some time: then faces may stand upright.

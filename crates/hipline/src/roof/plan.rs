@@ -286,7 +286,7 @@ mod tests {
         let clockwise: Vec<[f64; 2]> = RECTANGLE.iter().rev().copied().collect();
         let cases: [(&str, &[[f64; 2]], &[usize]); 7] = [
             ("rectangle", RECTANGLE, &[1, 3]),
-            ("clockwise", &clockwise, &[0, 2]),
+            ("clockwise", &clockwise, &[1, 3]),
             ("ell", ELL, &[2, 5]),
             ("tee", tee, &[1, 4, 7]),
             ("square", square, &[0, 2]),

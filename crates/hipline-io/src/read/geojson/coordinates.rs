@@ -4,13 +4,15 @@ use std::fmt;
 
 use serde::{
     Deserialize, Deserializer,
-    de::{Error, IgnoredAny, SeqAccess, Visitor},
+    de::{Error, IgnoredAny, MapAccess, SeqAccess, Visitor},
 };
+
+use crate::read::position::Position;
 
 /// A position, or a list of such.
 pub(super) enum Coordinates {
-    /// Two numbers; what follows them (heights) is dropped.
-    Position([f64; 2]),
+    /// Two or three numbers; what follows them is dropped.
+    Position(Position),
     /// Anything deeper, or an empty list.
     List(Vec<Coordinates>),
 }
@@ -24,7 +26,7 @@ impl Coordinates {
         }
     }
 
-    pub fn points(self) -> Option<Vec<[f64; 2]>> {
+    pub fn points(self) -> Option<Vec<Position>> {
         self.list()?
             .into_iter()
             .map(|c| match c {
@@ -34,11 +36,11 @@ impl Coordinates {
             .collect()
     }
 
-    pub fn chains(self) -> Option<Vec<Vec<[f64; 2]>>> {
+    pub fn chains(self) -> Option<Vec<Vec<Position>>> {
         self.list()?.into_iter().map(Self::points).collect()
     }
 
-    pub fn polygons(self) -> Option<Vec<Vec<Vec<[f64; 2]>>>> {
+    pub fn polygons(self) -> Option<Vec<Vec<Vec<Position>>>> {
         self.list()?.into_iter().map(Self::chains).collect()
     }
 
@@ -85,8 +87,10 @@ impl<'de> Visitor<'de> for ItemVisitor {
                 let Some(Item::Number(y)) = seq.next_element()? else {
                     return Err(Error::custom("a position needs two numbers"));
                 };
+                let z = seq.next_element::<Third>()?.and_then(|third| third.0);
                 while seq.next_element::<IgnoredAny>()?.is_some() {}
-                return Ok(Item::Nested(Coordinates::Position([x, y])));
+                let place = [x, y];
+                return Ok(Item::Nested(Coordinates::Position(Position { place, z })));
             }
             Some(Item::Nested(first)) => first,
         };
@@ -100,6 +104,59 @@ impl<'de> Visitor<'de> for ItemVisitor {
             }
         }
         Ok(Item::Nested(Coordinates::List(list)))
+    }
+}
+
+/// A third coordinate: a number, or anything else, which is none.
+struct Third(Option<f64>);
+
+struct ThirdVisitor;
+
+impl<'de> Visitor<'de> for ThirdVisitor {
+    type Value = Third;
+
+    fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        f.write_str("anything")
+    }
+
+    fn visit_f64<E: Error>(self, v: f64) -> Result<Third, E> {
+        Ok(Third(Some(v)))
+    }
+
+    fn visit_u64<E: Error>(self, v: u64) -> Result<Third, E> {
+        Ok(Third(Some(v as f64)))
+    }
+
+    fn visit_i64<E: Error>(self, v: i64) -> Result<Third, E> {
+        Ok(Third(Some(v as f64)))
+    }
+
+    fn visit_bool<E: Error>(self, _: bool) -> Result<Third, E> {
+        Ok(Third(None))
+    }
+
+    fn visit_str<E: Error>(self, _: &str) -> Result<Third, E> {
+        Ok(Third(None))
+    }
+
+    fn visit_unit<E: Error>(self) -> Result<Third, E> {
+        Ok(Third(None))
+    }
+
+    fn visit_seq<A: SeqAccess<'de>>(self, mut seq: A) -> Result<Third, A::Error> {
+        while seq.next_element::<IgnoredAny>()?.is_some() {}
+        Ok(Third(None))
+    }
+
+    fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<Third, A::Error> {
+        while map.next_entry::<IgnoredAny, IgnoredAny>()?.is_some() {}
+        Ok(Third(None))
+    }
+}
+
+impl<'de> Deserialize<'de> for Third {
+    fn deserialize<D: Deserializer<'de>>(d: D) -> Result<Self, D::Error> {
+        d.deserialize_any(ThirdVisitor)
     }
 }
 

@@ -1,4 +1,5 @@
 use super::*;
+use crate::{LineShape, Motion, PolygonShape};
 
 fn ok(text: &str) -> Vec<Feature> {
     read(text.as_bytes())
@@ -21,13 +22,17 @@ fn geometry(kind: &str, coordinates: &str) -> String {
 fn every_geometry() {
     let ring = "[[0,0],[1,0,9],[0,1,9,9],[0,0]]";
     let points = vec![[0.0, 0.0], [1.0, 0.0], [0.0, 1.0], [0.0, 0.0]];
+    let motion = Motion {
+        z: vec![None, Some(9.0), Some(9.0), None],
+        ..Motion::default()
+    };
     let polygon = PolygonShape {
-        rings: vec![points.clone()],
-        speeds: None,
+        motions: vec![motion.clone()],
+        ..PolygonShape::new(vec![points.clone()])
     };
     let line = LineShape {
-        points,
-        speeds: None,
+        motion,
+        ..LineShape::new(points)
     };
     for (kind, coordinates, shape) in [
         (

@@ -104,9 +104,9 @@ fn errors_name_the_place() {
     );
     assert_eq!(
         err(&format!(
-            "{nodes}<edge source='0' target='1'><data key='wa'>2</data></edge>"
+            "{nodes}<edge source='0' target='1'><data key='wa'>-2</data></edge>"
         )),
-        "GraphML, line 10, column 1: additive weights are not supported yet (edge-weight-additive is 2)"
+        "GraphML, line 10, column 1: no edge starts before the time 0 (edge-weight-additive is -2)"
     );
     assert_eq!(
         err("<node id='0'><graph/></node>"),

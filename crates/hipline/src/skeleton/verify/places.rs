@@ -123,22 +123,16 @@ impl Checker<'_> {
 
     /// The posts across tilted eaves at the vertex below this node, if walls go up from there.
     fn posts(&self, node: NodeId) -> impl Iterator<Item = PlaneId> + '_ {
-        self.incidence
-            .arcs(node)
-            .iter()
-            .flat_map(|&a| {
-                let arc = self.skeleton.arc(ArcId::raw(a));
-                let NodeKind::Input(vertex) = self.skeleton.node(arc.nodes[0]).kind else {
-                    return [None; 2];
-                };
-                arc.faces.map(|face| {
-                    let eave = self.planes.phases.eave_of(self.plane_of(face))?;
-                    let edge = self.skeleton.input.edges[eave.edge.index()];
-                    let at_end = (edge[0] != vertex) != (eave.wall.0 % 2 == 1);
-                    Some(eave.posts[usize::from(at_end)])
-                })
-            })
-            .flatten()
+        let at = |&a: &u32| {
+            let arc = self.skeleton.arc(ArcId::raw(a));
+            let NodeKind::Input(vertex) = self.skeleton.node(arc.nodes[0]).kind else {
+                return [None; 2];
+            };
+            let input = &self.skeleton.input;
+            arc.faces
+                .map(|face| self.planes.post_at(input, self.plane_of(face), vertex))
+        };
+        self.incidence.arcs(node).iter().flat_map(at).flatten()
     }
 
     /// The arc of one height between parallel planes. When they meet is no matter of the
