@@ -175,6 +175,7 @@ impl Kinetic<'_> {
         self.batch.number += 1;
         self.batch.first_node = self.front.vertices + self.front.events.len() as u32;
         self.now = moment;
+        self.bounds = bounds;
         while let Some(t) = self.queue.peek() {
             let other = self.queue.bounds(t).expect("the triangle is queued");
             let order = bounds
