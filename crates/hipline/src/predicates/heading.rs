@@ -4,8 +4,9 @@ use hipline_num::Sign;
 use std::cmp::Ordering;
 
 use super::{
+    decide::Question,
     expression::Path,
-    planes::{PlaneId, Planes, Question, Rung},
+    planes::{PlaneId, Planes, Rung},
 };
 
 /// A direction, by definition.

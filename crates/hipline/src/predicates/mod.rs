@@ -3,6 +3,7 @@
 //! Invariant: what leaves this module is a sign, an order or a correctly rounded number for
 //! output; [`Bounds`] only ever saves asking.
 
+mod decide;
 mod eaves;
 mod expression;
 mod fixed;
@@ -13,6 +14,7 @@ mod orientation;
 mod phases;
 mod place;
 mod planes;
+mod relation;
 mod root;
 mod rough;
 mod speeds;

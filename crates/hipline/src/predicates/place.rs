@@ -8,8 +8,9 @@ use hipline_num::{
 use std::cmp::Ordering;
 
 use super::{
+    decide::Question,
     expression::{Path, meeting},
-    planes::{Plane, PlaneId, Planes, Question, Rung},
+    planes::{Plane, PlaneId, Planes, Rung},
 };
 
 /// A place and a moment, by definition.

@@ -11,9 +11,10 @@ use hipline_num::{BallDd, Sign, Surd, f64_to_parts, round_ball_dd_plus, round_qu
 use std::cmp::Ordering;
 
 use super::{
+    decide::Question,
     expression::Path,
     place::{Place, input, point},
-    planes::{Plane, PlaneId, Planes, Question, Rung},
+    planes::{Plane, PlaneId, Planes, Rung},
 };
 
 /// A point in question: `x / w`, `y / w` on the grid of the planes, w a power of two.

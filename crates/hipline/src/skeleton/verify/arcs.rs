@@ -48,6 +48,8 @@ impl Checker<'_> {
         let [i, j] = arc.faces.map(|face| self.plane_of(face));
         match self.planes.turn(i, j) {
             Sign::Zero if i.0 ^ j.0 == 1 => Nature::BackToBack,
+            // On one plane for now: the edge that will be faster overruns the other.
+            Sign::Zero if self.planes.compare_speeds(i, j).is_ne() => Nature::Level,
             Sign::Zero if self.planes.coplanar(i, j) => Nature::Ghost,
             Sign::Zero => Nature::Level,
             sign => Nature::Crossing(sign),

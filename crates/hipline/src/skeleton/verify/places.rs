@@ -155,9 +155,32 @@ impl Checker<'_> {
         }
     }
 
+    /// The end of an arc along which an edge overruns another one on the same plane, whose
+    /// speed will be less: it has the time of the other end.
+    fn end_of_level(&self, node: NodeId, line: &Line) -> Option<Place> {
+        let &Line::Pair(pair) = line else {
+            return None;
+        };
+        self.incidence.arcs(node).iter().find_map(|&a| {
+            let arc = self.skeleton.arc(ArcId::raw(a));
+            let [i, j] = arc.faces.map(|face| self.plane_of(face));
+            if arc.kind == ArcKind::Ghost || !self.planes.coplanar(i, j) {
+                return None;
+            }
+            let other = arc.nodes[usize::from(arc.nodes[0] == node)];
+            match self.places[other.index()]? {
+                Place::Event { moment, .. } => Some(Place::Event { pair, moment }),
+                _ => None,
+            }
+        })
+    }
+
     /// The place where a ghost arc ends on a line; nothing if none that starts at a vertex or an
     /// event, as all do, ever reaches it.
     fn foot(&self, node: NodeId, line: Line) -> Option<Place> {
+        if let Some(place) = self.end_of_level(node, &line) {
+            return Some(place);
+        }
         self.incidence.arcs(node).iter().find_map(|&a| {
             let arc = self.skeleton.arc(ArcId::raw(a));
             if arc.kind != ArcKind::Ghost || arc.nodes[1] != node {
