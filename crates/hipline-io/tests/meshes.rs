@@ -213,7 +213,8 @@ fn gltf() {
         assert_eq!(names, ["yard", "feature_1"]);
         for (node, mesh) in nodes.iter().zip(&meshes) {
             let ([tx, ty, tz], _, _) = node.transform().decomposed();
-            assert_eq!([tx, ty, tz], [4_999_999.0, 0.0, -400_000.0]);
+            let bits = [tx, ty, tz].map(f32::to_bits);
+            assert_eq!(bits, [4_999_999.0_f32, 0.0, -400_000.0].map(f32::to_bits));
             let mut triangles: Vec<Vec<u32>> = Vec::new();
             for primitive in node.mesh().unwrap().primitives() {
                 assert!(primitive.material().name().is_some());

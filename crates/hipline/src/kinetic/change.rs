@@ -9,7 +9,10 @@
 //! A terminal whose edge stands still on both sides emits no wavefront edge, which would
 //! have no length; its vertex is opened when the edge starts to move.
 
-use std::{cmp::Ordering, collections::BTreeMap};
+use std::{
+    cmp::Ordering,
+    collections::{BTreeMap, btree_map::Entry},
+};
 
 use super::{
     Kinetic,
@@ -92,9 +95,8 @@ impl Kinetic<'_> {
         let mut nodes = BTreeMap::new();
         for &(wave, _) in &old {
             for x in self.triangulation.ends(wave) {
-                if !nodes.contains_key(&x) {
-                    let node = self.node_now(x);
-                    nodes.insert(x, node);
+                if let Entry::Vacant(entry) = nodes.entry(x) {
+                    entry.insert(self.node_now(x));
                 }
             }
         }

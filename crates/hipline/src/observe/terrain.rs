@@ -8,7 +8,7 @@ use super::{InvalidWindow, Window};
 use crate::{
     input::Figure,
     offset::Definitions,
-    roof::tiled,
+    roof::{Tiles, tiled},
     skeleton::Skeleton,
     topology::{ArcId, FaceId},
 };
@@ -186,9 +186,6 @@ fn late(skeleton: &Skeleton, figure: &Figure, window: Window) -> f64 {
     let last = times.filter(|t| t.is_finite()).fold(0.0, f64::max);
     2.0 * (last + 2.0 * (reach(0) + reach(1)) / slowest)
 }
-
-/// Vertices, and triangles with their faces.
-type Tiles = (Vec<[f64; 3]>, Vec<([u32; 3], FaceId)>);
 
 /// All faces, with time as height.
 fn whole(skeleton: &Skeleton, figure: &Figure, late: f64) -> Option<Tiles> {

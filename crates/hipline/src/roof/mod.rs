@@ -40,4 +40,4 @@ mod surface;
 pub use check::MeshFlaw;
 pub use mesh::{Facet, Mesh, Surface};
 pub use options::{Gables, InvalidRoof, RoofOptions, RoofShape, Steepness};
-pub(crate) use surface::tiled;
+pub(crate) use surface::{Tiles, tiled};

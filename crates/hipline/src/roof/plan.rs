@@ -238,7 +238,9 @@ fn ends_of(figure: &Figure, ring: &[usize]) -> Vec<usize> {
             && dot(vectors[before], vectors[after]) < 0.0
             && lengths[1] <= lengths[0]
             && lengths[1] <= lengths[2]
-            && (lengths[1] < lengths[0] || lengths[1] < lengths[2] || (is_equal && k % 2 == 0))
+            && (lengths[1] < lengths[0]
+                || lengths[1] < lengths[2]
+                || (is_equal && k.is_multiple_of(2)))
     };
     (0..m)
         .filter(|&k| is_end(k))

@@ -104,12 +104,15 @@ fn bounded_faces(skeleton: &Skeleton) -> Vec<bool> {
     (0..count).map(|face| bounded[sets.root(face)]).collect()
 }
 
+/// Vertices, and triangles with their faces.
+pub(crate) type Tiles = (Vec<[f64; 3]>, Vec<([u32; 3], FaceId)>);
+
 /// Faces of a plan, lifted, in triangles of positive area in the plan, each with its face: by the
 /// means of [`cut`]. `None` if rounding leaves no area.
 pub(crate) fn tiled<'a, R>(
     vertices: Vec<[f64; 3]>,
     faces: impl Iterator<Item = (FaceId, R)>,
-) -> Option<(Vec<[f64; 3]>, Vec<([u32; 3], FaceId)>)>
+) -> Option<Tiles>
 where
     R: Iterator<Item = &'a [NodeId]>,
 {
