@@ -1,5 +1,11 @@
 //! Heights of vertices: walls, tilted eaves, and whether the surface passes through them.
 
+#![expect(
+    clippy::float_cmp,
+    clippy::disallowed_methods,
+    reason = "tests compare numbers that must be the same, and the textbook's formula has a root"
+)]
+
 use hipline::{
     Figure, FigureBuilder, Options, Region, Skeleton,
     input::{Flaw, Place},

@@ -1,5 +1,12 @@
 //! Roofs are the boundaries of solids, look outward and cover their footprint.
 
+#![expect(
+    clippy::float_cmp,
+    clippy::disallowed_methods,
+    clippy::type_complexity,
+    reason = "tests compare numbers that must be the same, and choose sizes by roots"
+)]
+
 mod offset_support;
 
 use hipline::{
