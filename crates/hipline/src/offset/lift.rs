@@ -158,7 +158,10 @@ impl<'a> Lift<'a> {
             };
             let planes = arc.faces.map(|face| self.plane(face));
             for plane in planes {
-                list.extend(self.planes.post_at(self.skeleton.input(), plane, vertex));
+                list.extend(
+                    self.planes
+                        .post_at(&self.skeleton.input().edges, plane, vertex),
+                );
             }
             if planes[0].0 ^ planes[1].0 == 1
                 && let Ok(i) = self.tips.binary_search(&vertex.index())

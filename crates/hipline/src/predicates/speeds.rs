@@ -11,7 +11,6 @@ use super::{
 };
 use crate::{
     input::Figure,
-    skeleton::InputGraph,
     topology::{EdgeId, VertexId},
 };
 
@@ -131,12 +130,12 @@ impl Planes {
     /// The post across a tilted eave at one of its ends, given the plane of the wall below it.
     pub(crate) fn post_at(
         &self,
-        input: &InputGraph,
+        edges: &[[VertexId; 2]],
         wall: PlaneId,
         vertex: VertexId,
     ) -> Option<PlaneId> {
         let eave = self.phases.eave_of(wall)?;
-        let edge = input.edges[eave.edge.index()];
+        let edge = edges[eave.edge.index()];
         let at_end = (edge[0] != vertex) != (wall.0 % 2 == 1);
         Some(eave.posts[usize::from(at_end)])
     }

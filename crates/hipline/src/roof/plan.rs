@@ -149,7 +149,7 @@ impl Plan {
 /// The edges of a figure where people expect gables: the short ends of the wings of a
 /// building.
 ///
-/// A side of a ring is a chain of edges on one line. It is an end if its two corners turn the
+/// A side of a ring of four or more is a chain of edges on one line. It is an end if its two corners turn the
 /// same way, so that the building lies between its neighbours; if these run in opposite
 /// directions, more or less; and if it is not longer than either of them and shorter than one. Of
 /// a ring with four sides of one length the first and the third are ends.
@@ -233,7 +233,8 @@ fn ends_of(figure: &Figure, ring: &[usize]) -> Vec<usize> {
         };
         let lengths = [before, k, after].map(|i| dot(vectors[i], vectors[i]));
         let is_equal = m == 4 && lengths[0] <= lengths[1] && lengths[2] <= lengths[1];
-        corner(before, k)
+        m >= 4
+            && corner(before, k)
             && corner(k, after)
             && dot(vectors[before], vectors[after]) < 0.0
             && lengths[1] <= lengths[0]

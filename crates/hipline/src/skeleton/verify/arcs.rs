@@ -48,9 +48,15 @@ impl Checker<'_> {
         let [i, j] = arc.faces.map(|face| self.plane_of(face));
         match self.planes.turn(i, j) {
             Sign::Zero if i.0 ^ j.0 == 1 => Nature::BackToBack,
-            // On one plane for now: the edge that will be faster overruns the other.
-            Sign::Zero if self.planes.compare_speeds(i, j).is_ne() => Nature::Level,
-            Sign::Zero if self.planes.coplanar(i, j) => Nature::Ghost,
+            // On one plane for now: the edge that will be faster overruns the other; but walls
+            // below tilted eaves stand side by side.
+            Sign::Zero
+                if self.planes.coplanar(i, j)
+                    && (self.planes.compare_speeds(i, j).is_eq()
+                        || self.planes.stands_still(i) && arc.kind == ArcKind::Ghost) =>
+            {
+                Nature::Ghost
+            }
             Sign::Zero => Nature::Level,
             sign => Nature::Crossing(sign),
         }

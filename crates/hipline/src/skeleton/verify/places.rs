@@ -128,9 +128,9 @@ impl Checker<'_> {
             let NodeKind::Input(vertex) = self.skeleton.node(arc.nodes[0]).kind else {
                 return [None; 2];
             };
-            let input = &self.skeleton.input;
+            let edges = &self.skeleton.input.edges;
             arc.faces
-                .map(|face| self.planes.post_at(input, self.plane_of(face), vertex))
+                .map(|face| self.planes.post_at(edges, self.plane_of(face), vertex))
         };
         self.incidence.arcs(node).iter().flat_map(at).flatten()
     }
