@@ -8,7 +8,7 @@ use clap::{
     Args as Group, Parser, Subcommand, ValueEnum,
     builder::{PossibleValuesParser, TypedValueParser},
 };
-use hipline::{Region, skeleton::Options};
+use hipline::{Engine, Region, skeleton::Options};
 use hipline_io::{
     Format,
     write::{Layers, Measure},
@@ -97,7 +97,7 @@ pub struct ComputeArgs {
 
     /// The algorithm; all give the same result
     #[arg(long, value_name = "ENGINE", default_value = "auto")]
-    pub engine: Engine,
+    pub engine: EngineArg,
 
     /// Print counts and times to standard error
     #[arg(long)]
@@ -115,9 +115,7 @@ impl ComputeArgs {
     }
 
     pub fn options(self) -> Options {
-        match self.engine {
-            Engine::Auto | Engine::Kinetic => Options::default().region(self.region()),
-        }
+        Options::default().region(self.region())
     }
 }
 
@@ -132,11 +130,20 @@ pub enum SideArg {
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub enum Engine {
-    /// Whichever suits the input
+pub enum EngineArg {
+    /// The fastest one that applies
     Auto,
     /// The kinetic triangulation
     Kinetic,
+}
+
+impl From<EngineArg> for Engine {
+    fn from(engine: EngineArg) -> Self {
+        match engine {
+            EngineArg::Auto => Self::Auto,
+            EngineArg::Kinetic => Self::Kinetic,
+        }
+    }
 }
 
 /// Where the output goes.

@@ -14,12 +14,13 @@ use std::{
 
 use hipline::{
     Figure, Region, Skeleton,
-    skeleton::{InputGraph, Options, Stats},
+    skeleton::{InputGraph, Stats},
 };
 use hipline_io::FeatureName;
 use indicatif::{ProgressBar, ProgressStyle};
 
 use crate::{
+    args::ComputeArgs,
     failure::{Outcome, print_to_stderr, report},
     input::Item,
 };
@@ -38,16 +39,18 @@ pub struct Computed<T = Skeleton> {
 const LONG: usize = 20_000;
 
 /// The skeletons of all items, in their order.
-pub fn skeletons(items: &[Item], options: Options) -> Vec<Computed> {
+pub fn skeletons(items: &[Item], compute: ComputeArgs) -> Vec<Computed> {
     each(items, |item, figure| match figure {
-        Some(figure) => skeleton(item, figure, options),
-        None => Ok(empty(options.region)),
+        Some(figure) => skeleton(item, figure, compute),
+        None => Ok(empty(compute.region())),
     })
 }
 
-/// The skeleton of an item, if every edge was reached at its own heights, or need not.
-pub fn skeleton(item: &Item, figure: &Figure, options: Options) -> Result<Skeleton, String> {
-    let skeleton = figure.skeleton(options);
+/// The skeleton of an item, if the engine applies, and every edge was reached at its own heights, or need not.
+pub fn skeleton(item: &Item, figure: &Figure, compute: ComputeArgs) -> Result<Skeleton, String> {
+    let skeleton = figure
+        .skeleton_by(compute.engine.into(), compute.options())
+        .map_err(|reason| reason.to_string())?;
     if !item.allows_walls() {
         skeleton.check_heights(figure).map_err(|early| {
             let lines = early.to_string().replace('\n', "; ");

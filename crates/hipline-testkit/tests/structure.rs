@@ -67,8 +67,15 @@ fn dependencies_point_one_way() {
         "hipline/src/predicates",
         &["kinetic", "skeleton", "offset::", "roof::"],
     );
+    absent(
+        "hipline/src/wavefront",
+        &["kinetic", "skeleton::{", "offset::", "roof::", "observe::"],
+    );
     absent("hipline/src/kinetic", &["offset::", "roof::", "observe::"]);
-    absent("hipline/src/skeleton", &["offset::", "roof::", "observe::"]);
+    absent(
+        "hipline/src/skeleton",
+        &["kinetic::", "offset::", "roof::", "observe::"],
+    );
     absent(
         "hipline/src/offset",
         &["kinetic::", "roof::", "observe::", "centreline::"],
@@ -139,7 +146,9 @@ fn nothing_depends_on_hash_order_or_clocks() {
         &["HashMap", "HashSet", "Instant", "SystemTime"],
     );
     for folder in [
+        "engine",
         "kinetic",
+        "wavefront",
         "predicates",
         "topology",
         "skeleton",

@@ -4,7 +4,9 @@
 //! input/       checked figures, weights          the only way in
 //! predicates/  every geometric decision
 //! topology/    ids                               reads no coordinate
+//! engine/      which engine applies
 //! kinetic/     the kinetic triangulation engine (Aichholzer & Aurenhammer 1996)
+//! wavefront/   what an engine leaves behind
 //! skeleton/    nodes, arcs, faces, verify        the only way out
 //! offset/      the wavefront at given distances
 //! centreline/  the approximate medial axis
@@ -13,6 +15,7 @@
 //! ```
 
 pub mod centreline;
+pub mod engine;
 pub mod input;
 mod kinetic;
 pub mod observe;
@@ -21,6 +24,8 @@ mod predicates;
 pub mod roof;
 pub mod skeleton;
 pub mod topology;
+mod wavefront;
 
+pub use engine::{Engine, NotApplicable};
 pub use input::{Figure, FigureBuilder, InvalidFigure, Polygon};
 pub use skeleton::{Options, Region, Skeleton};

@@ -49,7 +49,7 @@ pub fn run(args: &CentrelineArgs) -> Result<Outcome, Failure> {
                 centreline: Centreline::default(),
             });
         };
-        let skeleton = compute::skeleton(item, figure, args.compute.options())?;
+        let skeleton = compute::skeleton(item, figure, args.compute)?;
         let centreline = skeleton
             .centreline(figure, options)
             .map_err(|e| e.to_string())?;

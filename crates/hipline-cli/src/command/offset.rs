@@ -49,7 +49,7 @@ pub fn run(args: &OffsetArgs) -> Result<Outcome, Failure> {
         if vertices.any(|v| figure.height(v) > 0.0) {
             return Err("offsets of figures with heights are not computed yet".to_owned());
         }
-        let skeleton = compute::skeleton(item, figure, args.compute.options())?;
+        let skeleton = compute::skeleton(item, figure, args.compute)?;
         let distances = distances(args, &skeleton)?;
         let offsets = skeleton
             .offsets(figure, &distances)

@@ -32,7 +32,7 @@ impl Scene {
         let mut watch = Watch::start();
         let document = input::document(&args.input())?;
         watch.lap("read");
-        let mut computed = skeletons(&[Item::Together(&document)], compute.options());
+        let mut computed = skeletons(&[Item::Together(&document)], *compute);
         watch.lap("compute");
         let one = computed.first_mut();
         let figure = one.and_then(|c| c.figure.take());

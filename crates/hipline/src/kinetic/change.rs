@@ -14,13 +14,11 @@ use std::{
     collections::{BTreeMap, btree_map::Entry},
 };
 
-use super::{
-    Kinetic,
-    wavefront::{End, FaceStart, Trace, Walk, Wave},
-};
+use super::Kinetic;
 use crate::{
     predicates::{Bounds, Moment, PlaneId},
     topology::{TraceId, TriangleId, WaveId},
+    wavefront::{End, FaceStart, Trace, Walk, Wave},
 };
 use hipline_num::Sign;
 

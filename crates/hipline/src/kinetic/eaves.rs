@@ -10,11 +10,11 @@ use std::collections::BTreeMap;
 use super::{
     Kinetic,
     triangulation::{Triangle, next, prev},
-    wavefront::{FaceStart, Wave},
 };
 use crate::{
     predicates::{Eave, PlaneId},
     topology::{TraceId, WaveId},
+    wavefront::{FaceStart, Walk, Wave},
 };
 
 /// The eaves that start at one vertex: that of the wavefront edge before it, and that of the one
@@ -94,7 +94,7 @@ impl Kinetic<'_> {
         let upper = self.triangulation.get(beside).tips[if eave.rises { prev(k) } else { next(k) }];
         let wave = self.triangulation.push_wave(beside);
         let face = self.front.push_face(FaceStart {
-            walk: super::Walk::Open,
+            walk: Walk::Open,
             plane: eave.facet,
             before: None,
         });
@@ -111,9 +111,9 @@ impl Kinetic<'_> {
         self.front.start_face_with(
             face,
             if eave.rises {
-                super::Walk::Up(end)
+                Walk::Up(end)
             } else {
-                super::Walk::Down(start)
+                Walk::Down(start)
             },
         );
         // The other triangles around the vertex stay at the end that does not run along the wall.

@@ -24,21 +24,20 @@ mod schedule;
 mod setup;
 mod straight;
 mod triangulation;
-mod wavefront;
 
 use std::cmp::Ordering;
 
 use crate::{
     input::Figure,
     predicates::{Bounds, Moment, Planes, Terminal},
-    skeleton::{Options, Region, Skeleton, Stats, assemble},
+    skeleton::{Region, Skeleton, Stats, assemble},
     topology::{TraceId, TriangleId},
+    wavefront::{End, Wavefront},
 };
 use change::Changes;
 use queue::Queue;
 use schedule::Agenda;
 use triangulation::Triangulation;
-pub(crate) use wavefront::{End, Trace, Walk, Wavefront};
 
 /// The state of the propagation.
 struct Kinetic<'a> {
@@ -77,38 +76,27 @@ struct Batch {
     scheduled: Vec<u32>,
 }
 
-impl Figure {
-    /// The straight skeleton.
-    ///
-    /// Exact: all decisions are signs of exact numbers; coordinates and times of the result
-    /// are correctly rounded. Total: every figure has a skeleton.
-    ///
-    /// # Complexity
-    /// O(n) memory; about n log n time on ordinary input, O(n^3 log n) at worst (Lemma 5).
-    #[must_use]
-    pub fn skeleton(&self, options: Options) -> Skeleton {
-        let region = match options.region {
-            Region::Auto if self.has_polygon() => Region::Interior,
-            Region::Auto => Region::Both,
-            region => region,
-        };
-        let mut kinetic = Kinetic::new(self, region);
-        kinetic.propagate();
-        let rungs = kinetic.planes.rungs.get();
-        kinetic.stats.by_f64 = rungs.by_f64;
-        kinetic.stats.by_double_double = rungs.by_double_double;
-        kinetic.stats.by_wide = rungs.by_wide;
-        kinetic.stats.by_exact = rungs.by_exact;
-        // Only what the wavefront left behind is needed from here on.
-        let Kinetic {
-            planes,
-            terminals,
-            front,
-            stats,
-            ..
-        } = kinetic.reduced();
-        assemble(self, &planes, &terminals, front, region, stats)
-    }
+/// The straight skeleton of a part of the plane, by this engine. Total: every figure has one.
+///
+/// # Complexity
+/// O(n) memory; about n log n time on ordinary input, O(n^3 log n) at worst (Lemma 5).
+pub(crate) fn skeleton(figure: &Figure, region: Region) -> Skeleton {
+    let mut kinetic = Kinetic::new(figure, region);
+    kinetic.propagate();
+    let rungs = kinetic.planes.rungs.get();
+    kinetic.stats.by_f64 = rungs.by_f64;
+    kinetic.stats.by_double_double = rungs.by_double_double;
+    kinetic.stats.by_wide = rungs.by_wide;
+    kinetic.stats.by_exact = rungs.by_exact;
+    // Only what the wavefront left behind is needed from here on.
+    let Kinetic {
+        planes,
+        terminals,
+        front,
+        stats,
+        ..
+    } = kinetic.reduced();
+    assemble(figure, &planes, &terminals, front, region, stats)
 }
 
 impl Kinetic<'_> {

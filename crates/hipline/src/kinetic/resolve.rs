@@ -20,10 +20,10 @@ use super::{
     Kinetic,
     schedule::{corner, meeting_moment},
     triangulation::{Across, Spokes, Tip, next, prev},
-    wavefront::{End, EventNode, Trace, Walk, Wave},
 };
 use crate::predicates::{Area, Corner, Direction, Moment, Part, PlaneId};
 use crate::topology::{TraceId, TriangleId, WaveId};
+use crate::wavefront::{End, EventNode, Trace, Walk, Wave};
 use hipline_num::Sign;
 
 /// What a triangle is at a moment.

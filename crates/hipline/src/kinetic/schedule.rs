@@ -9,10 +9,10 @@ use std::{
 use super::{
     Kinetic,
     triangulation::{Across, next, prev},
-    wavefront::{Trace, Wavefront},
 };
 use crate::predicates::{Bounds, Corner, Moment, PlaneId, Planes};
 use crate::topology::{TriangleId, WaveId};
+use crate::wavefront::{Trace, Wavefront};
 use hipline_num::{BallDd, Number, Sign, Wide};
 
 pub(super) fn corner(front: &Wavefront, tip: super::triangulation::Tip) -> Corner {

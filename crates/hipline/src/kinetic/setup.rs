@@ -11,13 +11,13 @@ use super::{
     queue::Queue,
     schedule::Agenda,
     triangulation::{Across, Spokes, Tip, Triangle, Triangulation, next, prev},
-    wavefront::{End, Trace, Walk, Wave, Wavefront},
 };
 use crate::{
     input::{Figure, Mesh, MeshEdge},
     predicates::{Bounds, Moment, PlaneId, Planes, Terminal},
     skeleton::{Region, Stats},
     topology::{TraceId, TriangleId, WaveId},
+    wavefront::{End, Trace, Walk, Wave, Wavefront},
 };
 use hipline_num::Sign;
 

@@ -10,10 +10,10 @@
 use super::{
     Kinetic,
     triangulation::{Spokes, Tip, next, prev},
-    wavefront::{End, Walk},
 };
 use crate::predicates::Moment;
 use crate::topology::{TraceId, WaveId};
+use crate::wavefront::{End, Walk};
 use hipline_num::Sign;
 use std::cmp::Ordering;
 

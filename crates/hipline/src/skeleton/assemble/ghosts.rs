@@ -8,9 +8,9 @@ use std::{
 
 use super::{Assembly, Step};
 use crate::{
-    kinetic::{End, Walk},
     predicates::{Bound, Place, PlaneId},
     topology::TraceId,
+    wavefront::{End, Walk},
 };
 use hipline_num::Sign;
 

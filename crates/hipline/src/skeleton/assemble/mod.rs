@@ -12,9 +12,9 @@ mod walls;
 use super::{Arc, ArcKind, Face, InputGraph, Node, NodeKind, Region, Side, Skeleton, Stats};
 use crate::{
     input::Figure,
-    kinetic::{End, Trace, Walk, Wavefront},
     predicates::{Bound, Place, PlaneId, Planes, Start, Terminal},
     topology::{EdgeId, FaceId, NodeId, TraceId, VertexId},
+    wavefront::{End, Trace, Walk, Wavefront},
 };
 use hipline_num::Sign;
 use names::Name;

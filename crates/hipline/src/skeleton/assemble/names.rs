@@ -2,8 +2,8 @@
 
 use super::{Assembly, Side};
 use crate::{
-    kinetic::{Trace, Walk},
     predicates::{PlaneId, Terminal},
+    wavefront::{Trace, Walk},
 };
 
 /// The name of a face, in the order of faces.

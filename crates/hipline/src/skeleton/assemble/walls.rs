@@ -2,9 +2,9 @@
 
 use super::Assembly;
 use crate::{
-    kinetic::{End, Walk},
     predicates::PlaneId,
     topology::TraceId,
+    wavefront::{End, Walk},
 };
 
 impl Assembly<'_> {

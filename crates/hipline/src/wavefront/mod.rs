@@ -1,4 +1,5 @@
 //! The wavefront and what it leaves behind: vertices, their traces, the faces' boundaries.
+//! Every engine makes one, and [`assemble`](crate::skeleton) makes the skeleton of it.
 //!
 //! A wavefront vertex between the wavefront edges `inn` (which ends at it) and `out` (which
 //! starts at it) traces an arc. The boundary of a face, counterclockwise, goes along the
@@ -120,7 +121,7 @@ fn root(parents: &mut [u32], mut i: u32) -> u32 {
 }
 
 impl Wavefront {
-    pub(super) fn new(vertices: usize, faces: usize) -> Self {
+    pub(crate) fn new(vertices: usize, faces: usize) -> Self {
         Self {
             // About as many nodes as vertices.
             events: Vec::with_capacity(vertices),
@@ -145,13 +146,13 @@ impl Wavefront {
         &self.waves[w.index()]
     }
 
-    pub(super) fn push_trace(&mut self, trace: Trace) -> TraceId {
+    pub(crate) fn push_trace(&mut self, trace: Trace) -> TraceId {
         self.traces.push(trace);
         TraceId::new(self.traces.len() - 1)
     }
 
     /// Adds a face that does not start at an edge or terminal.
-    pub(super) fn push_face(&mut self, start: FaceStart) -> u32 {
+    pub(crate) fn push_face(&mut self, start: FaceStart) -> u32 {
         let face = self.after_base.len() as u32;
         self.starts.push(start);
         self.after_base.push(Walk::Open);
@@ -160,7 +161,7 @@ impl Wavefront {
     }
 
     /// Names the first walk of a face.
-    pub(super) fn start_face_with(&mut self, face: u32, walk: Walk) {
+    pub(crate) fn start_face_with(&mut self, face: u32, walk: Walk) {
         self.starts[(face - self.bases) as usize].walk = walk;
     }
 
@@ -174,7 +175,7 @@ impl Wavefront {
     }
 
     /// Adds an event node.
-    pub(super) fn push_node(&mut self, node: EventNode) -> u32 {
+    pub(crate) fn push_node(&mut self, node: EventNode) -> u32 {
         self.events.push(node);
         self.same.push(self.same.len() as u32);
         self.vertices + self.same.len() as u32 - 1
@@ -190,7 +191,7 @@ impl Wavefront {
     }
 
     /// Two nodes are found to be one.
-    pub(super) fn same_node(&mut self, a: u32, b: u32) -> u32 {
+    pub(crate) fn same_node(&mut self, a: u32, b: u32) -> u32 {
         let (a, b) = (self.node(a), self.node(b));
         let (low, high) = (a.min(b), a.max(b));
         if low != high {
@@ -209,29 +210,29 @@ impl Wavefront {
     }
 
     /// Two faces on one plane have met.
-    pub(super) fn join_faces(&mut self, a: u32, b: u32) {
+    pub(crate) fn join_faces(&mut self, a: u32, b: u32) {
         let (a, b) = (self.joint_face(a), self.joint_face(b));
         self.joint[a.max(b) as usize] = a.min(b);
     }
 
     /// A wavefront edge ends at `new` instead of `old`, at one place.
-    pub(super) fn end_moves(&mut self, old: TraceId, new: TraceId) {
+    pub(crate) fn end_moves(&mut self, old: TraceId, new: TraceId) {
         self.trace_mut(old).after_up = Walk::Up(new);
     }
 
     /// A wavefront edge starts at `new` instead of `old`, at one place.
-    pub(super) fn start_moves(&mut self, old: TraceId, new: TraceId) {
+    pub(crate) fn start_moves(&mut self, old: TraceId, new: TraceId) {
         self.trace_mut(new).after_down = Walk::Down(old);
     }
 
     /// A wavefront edge from `start` to `end` has vanished.
-    pub(super) fn vanishes(&mut self, start: TraceId, end: TraceId) {
+    pub(crate) fn vanishes(&mut self, start: TraceId, end: TraceId) {
         self.trace_mut(end).after_up = Walk::Down(start);
     }
 
     /// A wavefront edge was cut in two: the first part ends at `end`, the second starts at
     /// `start`, both new.
-    pub(super) fn is_cut(&mut self, end: TraceId, start: TraceId) {
+    pub(crate) fn is_cut(&mut self, end: TraceId, start: TraceId) {
         self.trace_mut(start).after_down = Walk::Up(end);
     }
 }
