@@ -149,6 +149,7 @@ fn nothing_depends_on_hash_order_or_clocks() {
         "engine",
         "kinetic",
         "wavefront",
+        "lift",
         "predicates",
         "topology",
         "skeleton",

@@ -45,10 +45,6 @@ pub fn run(args: &OffsetArgs) -> Result<Outcome, Failure> {
             endless.store(true, Ordering::Relaxed);
             return Err("its offsets never end".to_owned());
         }
-        let mut vertices = (0..figure.vertices().len()).map(VertexId::new);
-        if vertices.any(|v| figure.height(v) > 0.0) {
-            return Err("offsets of figures with heights are not computed yet".to_owned());
-        }
         let skeleton = compute::skeleton(item, figure, args.compute)?;
         let distances = distances(args, &skeleton)?;
         let offsets = skeleton

@@ -5,9 +5,10 @@
 //! been reached is connected with the ends of its edge; and edges are connected by their vertices.
 //! Again no geometry is asked.
 
-use super::{OffsetLoop, Part, level::Rank, lift::Lift};
+use super::{OffsetLoop, Part, level::Rank};
 use crate::{
     input::Figure,
+    lift::Lift,
     skeleton::Region,
     topology::{FaceId, NodeId},
 };

@@ -83,6 +83,28 @@ impl<'a> Lift<'a> {
         }
     }
 
+    /// Whether an arc goes straight up, above one point: both planes beside it stand still.
+    pub(crate) fn is_upright(&self, arc: ArcId) -> bool {
+        let arc = self.skeleton.arc(arc);
+        self.planes.has_upright()
+            && arc
+                .faces
+                .iter()
+                .all(|&face| self.planes.stands_still(self.plane(face)))
+    }
+
+    /// Where an arc is at a time between those of its ends. (Only the place in plan, if it goes straight up.)
+    pub(crate) fn at(&self, arc: ArcId, time: f64) -> Place {
+        if self.skeleton.arc(arc).kind == ArcKind::Ghost {
+            self.on_ghost(arc, Bound::Time(time))
+        } else if self.is_upright(arc) {
+            self.place(self.skeleton.arc(arc).nodes[0])
+        } else {
+            let pair = self.pair(arc);
+            Place::At { pair, time }
+        }
+    }
+
     /// The arcs at a node, ascending.
     pub(crate) fn arcs_at(&self, node: NodeId) -> &[ArcId] {
         let (first, list) = self.arcs.get_or_init(|| {
