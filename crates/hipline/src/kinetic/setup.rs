@@ -276,7 +276,7 @@ impl<'a> Kinetic<'a> {
         }
         self.open_moved_terminals();
         self.refresh_pairs();
-        self.start_facets(0.0);
+        self.start_facets(None);
         self.remove_straight_vertices();
         self.batch.dirty.clear();
         self.batch.fresh.clear();
@@ -329,7 +329,7 @@ impl<'a> Kinetic<'a> {
             self.front.traces[i].pair = [cap, plane];
             if self.planes.stands_still(cap) {
                 self.front.traces[i].turn = Sign::Negative;
-                self.changes.closed.push((TraceId::new(i), terminal));
+                self.changes.closed.insert(terminal, TraceId::new(i));
             } else {
                 list.push((TraceId::new(i), terminal));
             }
@@ -403,7 +403,7 @@ impl<'a> Kinetic<'a> {
 
     /// The planes of vertices beside wavefront edges that were overrun have changed.
     fn refresh_pairs(&mut self) {
-        let mut closed: Vec<TraceId> = self.changes.closed.iter().map(|c| c.0).collect();
+        let mut closed: Vec<TraceId> = self.changes.closed.values().copied().collect();
         closed.sort_unstable();
         for (x, trace) in self.front.traces.iter_mut().enumerate() {
             let planes = [trace.inn, trace.out].map(|w| self.front.waves[w.index()].plane);
