@@ -2,7 +2,7 @@
 
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use hipline::{Figure, Region, Skeleton, offset::Offset, topology::VertexId};
+use hipline::{Figure, Region, Skeleton, offset::Offset};
 
 use super::write_offset;
 use crate::{
