@@ -23,14 +23,16 @@ mod resolve;
 mod schedule;
 mod setup;
 mod straight;
+#[cfg(test)]
+mod tests;
 mod triangulation;
 
 use std::cmp::Ordering;
 
 use crate::{
-    input::Figure,
+    input::{Figure, Parts},
     predicates::{Bounds, Moment, Planes, Terminal},
-    skeleton::{Region, Skeleton, Stats, assemble},
+    skeleton::{Region, Skeleton, Stats, assemble, merge},
     topology::{TraceId, TriangleId},
     wavefront::{End, Wavefront},
 };
@@ -78,9 +80,42 @@ struct Batch {
 
 /// The straight skeleton of a part of the plane, by this engine. Total: every figure has one.
 ///
+/// Components of the plane that the edges keep apart are independent: where there are many, groups of them are computed
+/// on all processors. The result is the same for every number of them.
+///
 /// # Complexity
 /// O(n) memory; about n log n time on ordinary input, O(n^3 log n) at worst (Lemma 5).
 pub(crate) fn skeleton(figure: &Figure, region: Region) -> Skeleton {
+    match figure.parts(region) {
+        Some(parts) => of_parts(figure, region, &parts),
+        None => of_whole(figure, region),
+    }
+}
+
+/// The skeleton by one propagation for each part.
+fn of_parts(figure: &Figure, region: Region, parts: &Parts) -> Skeleton {
+    let compute = |i: usize| {
+        let part = parts.part(i);
+        let skeleton = of_whole(&part.figure, part.region);
+        (part, skeleton)
+    };
+    merge(figure, region, &in_parallel(parts.len(), compute))
+}
+
+/// The values of a function from 0 on, in order.
+#[cfg(feature = "parallel")]
+fn in_parallel<T: Send>(count: usize, compute: impl Fn(usize) -> T + Sync + Send) -> Vec<T> {
+    use rayon::prelude::*;
+    (0..count).into_par_iter().map(compute).collect()
+}
+
+#[cfg(not(feature = "parallel"))]
+fn in_parallel<T>(count: usize, compute: impl Fn(usize) -> T) -> Vec<T> {
+    (0..count).map(compute).collect()
+}
+
+/// The skeleton by one propagation.
+fn of_whole(figure: &Figure, region: Region) -> Skeleton {
     let mut kinetic = Kinetic::new(figure, region);
     kinetic.propagate();
     let rungs = kinetic.planes.rungs.get();

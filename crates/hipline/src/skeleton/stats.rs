@@ -18,3 +18,16 @@ pub struct Stats {
     /// Decisions answered by exact integers.
     pub by_exact: u64,
 }
+
+impl Stats {
+    /// Adds the counts of another computation.
+    pub(super) const fn add(&mut self, other: &Self) {
+        self.edge_events += other.edge_events;
+        self.split_events += other.split_events;
+        self.flips += other.flips;
+        self.by_f64 += other.by_f64;
+        self.by_double_double += other.by_double_double;
+        self.by_wide += other.by_wide;
+        self.by_exact += other.by_exact;
+    }
+}
