@@ -9,7 +9,7 @@ use super::{OffsetLoop, Part, bridges::bridges, level::Rank};
 use crate::{
     lift::Lift,
     skeleton::NodeKind,
-    topology::{FaceId, NodeId},
+    topology::{FaceId, NodeId, Sets},
 };
 use std::collections::BTreeMap;
 
@@ -17,7 +17,7 @@ use std::collections::BTreeMap;
 pub(super) struct Superlevel {
     /// Connections that come in when the distance number i is reached.
     waiting: Vec<Vec<[NodeId; 2]>>,
-    parents: Vec<u32>,
+    sets: Sets,
     /// A node at infinity.
     infinite: Option<NodeId>,
 }
@@ -37,7 +37,7 @@ impl Superlevel {
         }
         let mut this = Self {
             waiting,
-            parents: (0..skeleton.nodes().len() as u32).collect(),
+            sets: Sets::new(skeleton.nodes().len()),
             infinite: None,
         };
         // Far out everything is unswept at any finite time. (A vertex between edges that stand still goes nowhere.)
@@ -62,27 +62,16 @@ impl Superlevel {
 
     /// Two nodes are found to be in one part.
     pub(super) fn connect(&mut self, a: NodeId, b: NodeId) {
-        let (a, b) = (self.root(a), self.root(b));
-        self.parents[a.max(b) as usize] = a.min(b);
-    }
-
-    fn root(&mut self, node: NodeId) -> u32 {
-        let mut i = node.index() as u32;
-        while self.parents[i as usize] != i {
-            let grandparent = self.parents[self.parents[i as usize] as usize];
-            self.parents[i as usize] = grandparent;
-            i = grandparent;
-        }
-        i
+        self.sets.join(a.index(), b.index());
     }
 
     /// Groups loops, given a node above each of them.
     pub(super) fn parts(&mut self, loops: &[OffsetLoop], seeds: &[NodeId]) -> Vec<Part> {
-        let infinite = self.infinite.map(|node| self.root(node));
-        let mut order: Vec<u32> = Vec::new();
-        let mut groups: BTreeMap<u32, Vec<usize>> = BTreeMap::new();
+        let infinite = self.infinite.map(|node| self.sets.root(node.index()));
+        let mut order: Vec<usize> = Vec::new();
+        let mut groups: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
         for (i, &seed) in seeds.iter().enumerate() {
-            let root = self.root(seed);
+            let root = self.sets.root(seed.index());
             let group = groups.entry(root).or_default();
             if group.is_empty() {
                 order.push(root);
