@@ -188,7 +188,13 @@ fn aligned(field: &Field, who: [u32; 2], window: Window, found: &mut Found) {
                     );
                 }
             }
-            Ordering::Equal => add(k, place, bounds),
+            Ordering::Equal => {
+                add(k, place, bounds);
+                if !planes.go_alike(p, q) {
+                    // The other one starts on the track, and runs back along it.
+                    add(1 - k, other.start, starts.1);
+                }
+            }
         }
     }
     if planes.go_alike(p, q) {

@@ -34,8 +34,8 @@ pub(crate) enum Crash {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Track {
     /// The planes on which it moves, the first turning left into the second. It is a reflex vertex of the
-    /// wavefront, so the first is that of the wavefront edge which starts at it, on its left as it moves,
-    /// the second that of the one which ends at it: like [`Trace::pair`](crate::wavefront::Trace::pair).
+    /// wavefront, so the first is that of the wavefront edge which starts at it, on its right as it moves,
+    /// the second that of the one which ends at it, on its left: like [`Trace::pair`](crate::wavefront::Trace::pair).
     pub pair: [PlaneId; 2],
     /// Where it comes from.
     pub origin: Origin,

@@ -45,7 +45,8 @@ impl<'a> Edges<'a> {
         self.figure
     }
 
-    /// The hit of a motorcycle on a vertex of its path, if that lies ahead.
+    /// The hit of a motorcycle on a vertex of its path, if that lies ahead. (None either if all edges
+    /// there are along the path: then their other ends come before.)
     pub(super) fn hit_vertex(
         &self,
         field: &Field,
@@ -58,8 +59,7 @@ impl<'a> Edges<'a> {
         // Any edge there that is not parallel to the path tells when it is reached.
         let plane = (self.edges[from..to].iter())
             .map(|&edge| PlaneId(2 * edge))
-            .find(|&plane| !field.planes.moves_away(pair, plane).is_zero())
-            .expect("a vertex is reached before all edges along the path");
+            .find(|&plane| !field.planes.moves_away(pair, plane).is_zero())?;
         let place = Place::On {
             pair,
             rail: Rail::Edge(plane),
