@@ -228,7 +228,13 @@ impl World<'_> {
             let together = first.is_eq() && self.starts_by(j, &passed).is_eq();
             let speeds = [a, b].map(|rider| n.dot(&rider.velocity, &rider.velocity));
             let slower = n.compare(&speeds[0], &speeds[1]).is_lt();
-            if first.is_lt() || (together && n.sign(&alike).is_gt() && slower) {
+            let stops = if together {
+                n.sign(&alike).is_gt() && slower
+            } else {
+                // From where the other one arrives at this moment, back along its track.
+                first.is_eq() && n.sign(&alike).is_lt()
+            };
+            if first.is_lt() || stops {
                 return Some((a.time.clone(), Thing::Track(j)));
             }
         }

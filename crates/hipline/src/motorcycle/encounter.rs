@@ -6,9 +6,10 @@
 //! has run into its track, and two that start together do not see each other. One that starts on a track
 //! that was there before ends at once.
 //!
-//! On one line: two that come towards each other meet half-way, unless one of them passes the place where
-//! the other one starts before it does; one that follows the other runs into the place
-//! where that one started.
+//! On one line: two that come towards each other meet half-way, unless one of them passes the place
+//! where the other one starts before it does; one that follows the other runs into the place where that
+//! one started. One that starts where the other arrives at that moment, and runs back along its
+//! track, ends at once, and so does the slower one of two that start together in one direction.
 
 use super::{
     race::{Field, Found, Hit, Obstacle},
