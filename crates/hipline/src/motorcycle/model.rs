@@ -106,7 +106,7 @@ impl MotorcycleGraph {
         (0..self.motorcycles.len()).map(MotorcycleId::new)
     }
 
-    /// The meetings, in the order of time.
+    /// The meetings, in the order of time; at one time in that of their first members.
     #[must_use]
     pub fn meetings(&self) -> &[Meeting] {
         &self.meetings

@@ -1,10 +1,14 @@
 //! All motorcycles at once, crash by crash in the order of time.
 //!
 //! A [`Hit`] says that a motorcycle gets to something that may stop it; whether it does is known
-//! when all earlier hits are settled. Who finds the hits is the [`Ground`]'s matter: all pairs, or those
-//! that walk through one triangle. It may take *steps* of its own before the moment of the next
-//! hit; steps have no effect but to find hits, so they are ordered by lower bounds in f64, and one that is
+//! when all earlier hits of those concerned are settled. Who finds the hits is the [`Ground`]'s matter: all
+//! pairs, or those that walk through one triangle. It may take *steps* of its own before the moment of the
+//! next hit; steps have no effect but to find hits, so they are ordered by lower bounds in f64, and one that is
 //! taken too early is only taken in vain.
+//!
+//! Hits are taken from the queue in clusters, of those whose bounds in f64 overlap: mostly one alone. In a cluster, the exact order
+//! matters only among hits that have motorcycles in common. In symmetric figures many crashes are at one
+//! moment, and nearly none of them have to be compared.
 
 use super::{
     births,
@@ -33,6 +37,14 @@ pub(super) enum Obstacle {
 }
 
 impl Obstacle {
+    /// The other motorcycle, if it is one.
+    const fn other(self) -> Option<u32> {
+        match self {
+            Self::Track(who) | Self::Rival(who) => Some(who),
+            Self::Wall(_) | Self::Vertex(_) => None,
+        }
+    }
+
     /// Of all that is at one place, what counts: a wall before a track before a meeting, and of
     /// several the one with the lowest number.
     const fn rank(self) -> (u8, u32) {
@@ -115,6 +127,34 @@ impl Field<'_> {
         self.tracks.len() as u32 - 1
     }
 
+    /// Numbers the meetings by their rounded times, then by their first members.
+    fn sort_meetings(&mut self) {
+        let mut order: Vec<(f64, u32, u32)> = (self.meetings.iter().enumerate())
+            .map(|(i, meeting)| {
+                let [_, _, time] = self.planes.round(&meeting.place);
+                (time, meeting.members[0], i as u32)
+            })
+            .collect();
+        order.sort_by(|p, q| p.0.total_cmp(&q.0).then(p.1.cmp(&q.1)));
+        let mut number = vec![0; order.len()];
+        for (new, &(_, _, old)) in order.iter().enumerate() {
+            number[old as usize] = new as u32;
+        }
+        for track in &mut self.tracks {
+            if let Crash::Meeting(meeting) = &mut track.crash {
+                *meeting = number[*meeting as usize];
+            }
+            if let Origin::Meeting(meeting) = &mut track.origin {
+                *meeting = number[*meeting as usize];
+            }
+        }
+        let mut meetings: Vec<(u32, Meeting)> =
+            number.into_iter().zip(self.meetings.drain(..)).collect();
+        meetings.sort_by_key(|(number, _)| *number);
+        self.meetings
+            .extend(meetings.into_iter().map(|(_, meeting)| meeting));
+    }
+
     /// Whether a motorcycle still moves.
     pub(super) fn moves(&self, who: u32) -> bool {
         self.tracks[who as usize].end.is_none()
@@ -162,28 +202,26 @@ pub(super) trait Ground {
     fn step(&mut self, field: &Field, step: Step, found: &mut Found);
 }
 
-/// A hit in the queue: the first one is the greatest.
-struct Queued<'a>(Hit, &'a Planes);
+/// A hit in the queue, ordered by its lower bound.
+struct Queued(Hit);
 
-impl PartialEq for Queued<'_> {
+impl PartialEq for Queued {
     fn eq(&self, other: &Self) -> bool {
         self.cmp(other).is_eq()
     }
 }
 
-impl Eq for Queued<'_> {}
+impl Eq for Queued {}
 
-impl PartialOrd for Queued<'_> {
+impl PartialOrd for Queued {
     fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
         Some(self.cmp(other))
     }
 }
 
-impl Ord for Queued<'_> {
+impl Ord for Queued {
     fn cmp(&self, other: &Self) -> Ordering {
-        (self.0.bounds.compare(other.0.bounds))
-            .unwrap_or_else(|| self.1.compare_instants(&self.0.place, &other.0.place))
-            .reverse()
+        self.0.bounds.low.total_cmp(&other.0.bounds.low)
     }
 }
 
@@ -191,7 +229,7 @@ impl Ord for Queued<'_> {
 struct Race<'a, G> {
     field: Field<'a>,
     ground: G,
-    hits: BinaryHeap<Queued<'a>>,
+    hits: BinaryHeap<Reverse<Queued>>,
     steps: BinaryHeap<Reverse<Step>>,
     found: Found,
     births: bool,
@@ -225,6 +263,7 @@ pub(super) fn run<G: Ground>(
         race.file();
     }
     while race.advance() {}
+    race.field.sort_meetings();
     Tracks {
         motorcycles: race.field.tracks,
         meetings: race.field.meetings,
@@ -234,58 +273,143 @@ pub(super) fn run<G: Ground>(
 impl<'a, G: Ground> Race<'a, G> {
     /// Puts what was found into the queues.
     fn file(&mut self) {
-        let planes = self.field.planes;
         let hits = self.found.hits.drain(..);
-        self.hits.extend(hits.map(|hit| Queued(hit, planes)));
+        self.hits.extend(hits.map(|hit| Reverse(Queued(hit))));
         let steps = self.found.steps.drain(..);
         self.steps.extend(steps.map(Reverse));
     }
 
-    /// Takes a step, or settles a moment. False if there is nothing left to do.
+    /// Settles the next cluster of hits. False if there is nothing left to do.
     fn advance(&mut self) -> bool {
-        while self
-            .hits
-            .peek()
-            .is_some_and(|hit| !self.field.moves(hit.0.who))
-        {
-            self.hits.pop();
-        }
-        let until = self
-            .hits
-            .peek()
-            .map_or(f64::INFINITY, |hit| hit.0.bounds.high);
-        if let Some(&Reverse(step)) = self.steps.peek()
-            && step.low <= until
-        {
-            self.steps.pop();
-            if self.field.moves(step.who) {
-                self.ground.step(&self.field, step, &mut self.found);
-                self.file();
-            }
+        let mut cluster = Vec::new();
+        let mut high = f64::NEG_INFINITY;
+        self.gather(&mut cluster, &mut high);
+        if let [hit] = *cluster {
+            self.settle(&[hit]);
             return true;
         }
-        let Some(Queued(first, _)) = self.hits.pop() else {
-            return false;
-        };
-        let batch = self.all_of_the_moment(first);
-        self.settle(&batch);
-        true
+        while !cluster.is_empty() {
+            let (fertile, sterile) = self.components(&cluster);
+            if fertile.is_empty() {
+                for hits in sterile {
+                    self.settle_in_order(hits, false);
+                }
+                return true;
+            }
+            // Whoever is born may get in the way of any of them.
+            cluster = self.settle_in_order(fertile.concat(), true);
+            cluster.extend(sterile.into_iter().flatten());
+            self.gather(&mut cluster, &mut high);
+            cluster.retain(|hit| self.field.moves(hit.who));
+        }
+        !(self.hits.is_empty() && self.steps.is_empty())
     }
 
-    /// All hits of the moment of the first one.
-    fn all_of_the_moment(&mut self, first: Hit) -> Vec<Hit> {
-        let mut batch = vec![first];
-        while let Some(Queued(hit, _)) = self.hits.peek() {
-            if self.field.moves(hit.who) {
-                let now = (&first.place, first.bounds);
-                if self.field.compare((&hit.place, hit.bounds), now).is_ne() {
-                    break;
-                }
-                batch.push(*hit);
+    /// Adds to a cluster the hits whose bounds overlap it, whose upper bound is told, or the first of all.
+    fn gather(&mut self, cluster: &mut Vec<Hit>, high: &mut f64) {
+        loop {
+            let next = self
+                .hits
+                .peek()
+                .map(|Reverse(Queued(hit))| (hit.who, hit.bounds));
+            if let Some((who, _)) = next
+                && !self.field.moves(who)
+            {
+                self.hits.pop();
+                continue;
             }
-            self.hits.pop();
+            let next = next.filter(|(_, bounds)| cluster.is_empty() || bounds.low <= *high);
+            // All that may be found up to there has to be found before.
+            let until = match next {
+                Some((_, bounds)) => high.max(bounds.high),
+                None if cluster.is_empty() => f64::INFINITY,
+                None => *high,
+            };
+            if let Some(&Reverse(step)) = self.steps.peek()
+                && step.low <= until
+            {
+                self.steps.pop();
+                if self.field.moves(step.who) {
+                    self.ground.step(&self.field, step, &mut self.found);
+                    self.file();
+                }
+                continue;
+            }
+            if next.is_none() {
+                return;
+            }
+            cluster.extend(self.hits.pop().map(|Reverse(Queued(hit))| hit));
+            *high = until;
         }
-        batch
+    }
+
+    /// The hits of a cluster by groups that have no motorcycle in common: those in which one may be
+    /// born, and the others.
+    fn components(&self, cluster: &[Hit]) -> (Vec<Vec<Hit>>, Vec<Vec<Hit>>) {
+        let members = |hit: &Hit| [Some(hit.who), hit.on.other()];
+        let mut ids: Vec<u32> = cluster.iter().flat_map(members).flatten().collect();
+        ids.sort_unstable();
+        ids.dedup();
+        let at = |id: u32| ids.binary_search(&id).expect("it is among them");
+        let mut parents: Vec<usize> = (0..ids.len()).collect();
+        fn root(parents: &mut [usize], mut i: usize) -> usize {
+            while parents[i] != i {
+                parents[i] = parents[parents[i]];
+                i = parents[i];
+            }
+            i
+        }
+        for hit in cluster {
+            if let Some(other) = hit.on.other() {
+                let [a, b] = [hit.who, other].map(|id| root(&mut parents, at(id)));
+                parents[a.max(b)] = a.min(b);
+            }
+        }
+        let mut hits: Vec<(usize, Hit)> = (cluster.iter())
+            .map(|hit| (root(&mut parents, at(hit.who)), *hit))
+            .collect();
+        hits.sort_by_key(|(component, _)| *component);
+        let groups = hits.chunk_by(|a, b| a.0 == b.0);
+        groups
+            .map(|group| group.iter().map(|(_, hit)| *hit).collect::<Vec<_>>())
+            .partition(|group| group.iter().any(|hit| self.is_fertile(hit)))
+    }
+
+    /// Whether somebody may be born where two meet.
+    fn is_fertile(&self, hit: &Hit) -> bool {
+        let Obstacle::Rival(other) = hit.on else {
+            return false;
+        };
+        let [a, b] = [hit.who, other].map(|who| self.field.tracks[who as usize].pair);
+        let reflex =
+            |a: [PlaneId; 2], b: [PlaneId; 2]| self.field.planes.turn(a[0], b[1]).is_positive();
+        self.births && (reflex(a, b) || reflex(b, a))
+    }
+
+    /// Settles hits moment by moment; until somebody is born, if that is wanted. Returns those that are left.
+    fn settle_in_order(&mut self, mut hits: Vec<Hit>, until_birth: bool) -> Vec<Hit> {
+        let at = |hit: &Hit| (hit.place, hit.bounds);
+        let field = &self.field;
+        let order = |p: &Hit, q: &Hit| {
+            let (p, q) = (at(p), at(q));
+            field.compare((&p.0, p.1), (&q.0, q.1))
+        };
+        if hits.len() > 1 {
+            hits.sort_by(order);
+        }
+        let sizes: Vec<usize> = (hits.chunk_by(|p, q| order(p, q).is_eq()))
+            .map(<[Hit]>::len)
+            .collect();
+        let mut from = 0;
+        for size in sizes {
+            let (batch, count) = (&hits[from..from + size], self.field.tracks.len());
+            self.settle(batch);
+            from += size;
+            if until_birth && self.field.tracks.len() > count {
+                break;
+            }
+        }
+        hits.split_off(from)
     }
 
     /// Whether what is hit is there.
@@ -299,11 +423,8 @@ impl<'a, G: Ground> Race<'a, G> {
 
     /// Settles all hits of one moment.
     fn settle(&mut self, batch: &[Hit]) {
-        let mut valid: Vec<Hit> = batch
-            .iter()
-            .filter(|hit| self.counts(hit))
-            .copied()
-            .collect();
+        let moves = |hit: &&Hit| self.field.moves(hit.who) && self.counts(hit);
+        let mut valid: Vec<Hit> = batch.iter().filter(moves).copied().collect();
         valid.sort_by_key(|hit| (hit.who, hit.on.rank()));
         // Those that meet, by the first one of their meeting.
         let mut rivals: Vec<(u32, Hit)> = Vec::new();

@@ -64,6 +64,6 @@ pub(crate) struct Tracks {
     /// First those that somebody placed or that start at vertices, in the order of these; then those
     /// of the meetings.
     pub motorcycles: Vec<Track>,
-    /// In the order of time; those of one moment in the order of their first members.
+    /// In the order of their times, correctly rounded; of equal ones, in that of their first members.
     pub meetings: Vec<Meeting>,
 }
