@@ -64,6 +64,8 @@ pub(super) struct Hit {
     pub on: Obstacle,
     pub place: Place,
     pub bounds: Bounds,
+    /// When another one is there, if it hits that one's track.
+    pub there: Option<Bounds>,
     /// Where the ground found it.
     pub cell: u32,
 }
@@ -189,8 +191,9 @@ impl Field<'_> {
             _ => unreachable!("a track is hit where a path is crossed"),
         };
         let there = Place::On { pair, rail };
-        let bounds = [&there, end].map(|place| self.planes.time_bounds(place));
-        self.compare((&there, bounds[0]), (end, bounds[1])).is_le()
+        let end = (end, self.planes.time_bounds(end));
+        let bounds = hit.there.unwrap_or_else(|| self.planes.time_bounds(&there));
+        self.compare((&there, bounds), end).is_le()
     }
 }
 
@@ -223,6 +226,15 @@ impl Ord for Queued {
     fn cmp(&self, other: &Self) -> Ordering {
         self.0.bounds.low.total_cmp(&other.0.bounds.low)
     }
+}
+
+/// The first one of the set that an element is in.
+fn root(parents: &mut [usize], mut i: usize) -> usize {
+    while parents[i] != i {
+        parents[i] = parents[parents[i]];
+        i = parents[i];
+    }
+    i
 }
 
 /// The state between two moments.
@@ -343,30 +355,35 @@ impl<'a, G: Ground> Race<'a, G> {
         }
     }
 
-    /// The hits of a cluster by groups that have no motorcycle in common: those in which one may be
-    /// born, and the others.
+    /// The hits of a cluster by groups that do not depend on each other: those in which one may be born, and
+    /// the others.
+    ///
+    /// A hit depends on those of the same motorcycle, and on those of the other one that it runs into, unless that
+    /// one was there before the cluster began.
     fn components(&self, cluster: &[Hit]) -> (Vec<Vec<Hit>>, Vec<Vec<Hit>>) {
-        let members = |hit: &Hit| [Some(hit.who), hit.on.other()];
-        let mut ids: Vec<u32> = cluster.iter().flat_map(members).flatten().collect();
+        let low = cluster
+            .iter()
+            .map(|hit| hit.bounds.low)
+            .fold(f64::INFINITY, f64::min);
+        let mut ids: Vec<u32> = cluster.iter().map(|hit| hit.who).collect();
         ids.sort_unstable();
         ids.dedup();
-        let at = |id: u32| ids.binary_search(&id).expect("it is among them");
         let mut parents: Vec<usize> = (0..ids.len()).collect();
-        fn root(parents: &mut [usize], mut i: usize) -> usize {
-            while parents[i] != i {
-                parents[i] = parents[parents[i]];
-                i = parents[i];
-            }
-            i
-        }
         for hit in cluster {
-            if let Some(other) = hit.on.other() {
-                let [a, b] = [hit.who, other].map(|id| root(&mut parents, at(id)));
+            let before = hit.there.is_some_and(|there| there.high < low);
+            let at = |id: u32| ids.binary_search(&id).ok();
+            if let Some(other) = hit.on.other().filter(|_| !before)
+                && let (Some(a), Some(b)) = (at(hit.who), at(other))
+            {
+                let [a, b] = [a, b].map(|i| root(&mut parents, i));
                 parents[a.max(b)] = a.min(b);
             }
         }
         let mut hits: Vec<(usize, Hit)> = (cluster.iter())
-            .map(|hit| (root(&mut parents, at(hit.who)), *hit))
+            .map(|hit| {
+                let at = ids.binary_search(&hit.who).expect("it is among them");
+                (root(&mut parents, at), *hit)
+            })
             .collect();
         hits.sort_by_key(|(component, _)| *component);
         let groups = hits.chunk_by(|a, b| a.0 == b.0);
@@ -375,15 +392,16 @@ impl<'a, G: Ground> Race<'a, G> {
             .partition(|group| group.iter().any(|hit| self.is_fertile(hit)))
     }
 
-    /// Whether somebody may be born where two meet.
+    /// Whether somebody may be born where two meet: if it is between them.
     fn is_fertile(&self, hit: &Hit) -> bool {
         let Obstacle::Rival(other) = hit.on else {
             return false;
         };
         let [a, b] = [hit.who, other].map(|who| self.field.tracks[who as usize].pair);
-        let reflex =
-            |a: [PlaneId; 2], b: [PlaneId; 2]| self.field.planes.turn(a[0], b[1]).is_positive();
-        self.births && (reflex(a, b) || reflex(b, a))
+        self.births
+            && [[a, b], [b, a]]
+                .iter()
+                .any(|members| births::is_born(self.field.planes, members))
     }
 
     /// Settles hits moment by moment; until somebody is born, if that is wanted. Returns those that are left.

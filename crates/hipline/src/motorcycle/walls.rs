@@ -69,6 +69,7 @@ impl<'a> Edges<'a> {
             on: Obstacle::Vertex(vertex),
             place,
             bounds,
+            there: None,
             cell,
         })
     }
@@ -89,6 +90,7 @@ impl<'a> Edges<'a> {
             on: Obstacle::Wall(PlaneId(plane.0 + u32::from(from_right))),
             place,
             bounds,
+            there: None,
             cell,
         })
     }
@@ -157,6 +159,7 @@ impl Segment {
             on: Obstacle::Wall(self.line),
             place,
             bounds,
+            there: None,
             cell,
         })
     }
