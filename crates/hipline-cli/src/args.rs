@@ -19,6 +19,8 @@ use crate::parse::{
 };
 pub use observe::{Corners, Drained, PlaneArgs, QueryArgs, RainArgs, TerrainArgs};
 
+mod motorcycles;
+pub use motorcycles::MotorcyclesArgs;
 mod weights;
 pub use weights::{GableArgs, HeightsArg, WeightArgs};
 
@@ -31,6 +33,7 @@ Examples:
   hipline terrain rivers.geojson -o relief.png --contours 5
   hipline rain rivers.geojson --catchments system -o basins.png
   hipline query rivers.geojson --at 3,4
+  hipline motorcycles village.geojson -o tracks.svg
   hipline skeleton parcels.geojson > parcels.json
   hipline check parcels.geojson --result parcels.json
 
@@ -56,6 +59,7 @@ pub enum Command {
     Terrain(TerrainArgs),
     Rain(RainArgs),
     Query(QueryArgs),
+    Motorcycles(MotorcyclesArgs),
     Check(CheckArgs),
     Draw(DrawArgs),
     Completions(CompletionsArgs),

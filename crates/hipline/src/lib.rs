@@ -9,6 +9,7 @@
 //! wavefront/   what an engine leaves behind
 //! skeleton/    nodes, arcs, faces, verify        the only way out
 //! lift/        from the result back to the planes
+//! motorcycle/  motorcycle graphs
 //! offset/      the wavefront at given distances
 //! centreline/  the approximate medial axis
 //! roof/        the skeleton lifted to a surface
@@ -20,6 +21,7 @@ pub mod engine;
 pub mod input;
 mod kinetic;
 mod lift;
+pub mod motorcycle;
 pub mod observe;
 pub mod offset;
 mod predicates;

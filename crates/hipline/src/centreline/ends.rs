@@ -104,7 +104,7 @@ fn foot(graph: &Graph, node: NodeId, face: FaceId) -> Option<[f64; 3]> {
     let start = match graph.lift.place(node) {
         Place::Vertex(v) => Start::Vertex(v),
         Place::Event { pair, moment } => Start::Event { pair, moment },
-        Place::Foot { .. } | Place::At { .. } => return None,
+        Place::Foot { .. } | Place::At { .. } | Place::On { .. } => return None,
     };
     let skeleton = graph.skeleton();
     let Face { edge, side, .. } = *skeleton.face(face);

@@ -29,6 +29,9 @@ pub enum NotApplicable {
     /// There are lines, several polygons, or holes.
     #[error("the figure is not one polygon without holes")]
     NotOneRing,
+    /// There are no polygons, or lines beside them.
+    #[error("the figure is not made of polygons alone")]
+    NotPolygons,
     /// More than the inside is asked for.
     #[error("only the inside of a polygon can be computed this way")]
     NotInterior,

@@ -43,7 +43,7 @@ fn top(lift: &Lift, nodes: &[NodeId]) -> (NodeId, Start) {
     let start = |&node: &NodeId| match lift.place(node) {
         Place::Vertex(v) => Some((node, Start::Vertex(v))),
         Place::Event { pair, moment } => Some((node, Start::Event { pair, moment })),
-        Place::Foot { .. } | Place::At { .. } => None,
+        Place::Foot { .. } | Place::At { .. } | Place::On { .. } => None,
     };
     let time = |node: NodeId| lift.skeleton.node(node).time;
     let highest = nodes.iter().filter_map(start).max_by(|a, b| {

@@ -10,6 +10,7 @@ use std::cmp::Ordering;
 use super::{
     decide::Question,
     expression::{Path, meeting},
+    passage::{Rail, passage},
     planes::{Plane, PlaneId, Planes, Rung},
 };
 
@@ -25,6 +26,8 @@ pub(crate) enum Place {
     },
     /// The intersection of two planes at a given time.
     At { pair: [PlaneId; 2], time: f64 },
+    /// Where the intersection of two planes passes a line that stands still.
+    On { pair: [PlaneId; 2], rail: Rail },
     /// Where the perpendicular to `plane`'s edge through the start of a ghost arc, itself a
     /// vertex or an event, reaches the boundary of the face.
     Foot {
@@ -121,6 +124,7 @@ pub(super) fn point<T: Rung>(planes: &Planes, place: &Place) -> Point<T> {
                 since,
             }
         }
+        Place::On { pair, rail } => passage(planes, pair, rail),
         Place::Foot {
             start,
             plane,

@@ -190,7 +190,7 @@ impl Checker<'_> {
             let start = match self.places[arc.nodes[0].index()]? {
                 Place::Vertex(v) => Start::Vertex(v),
                 Place::Event { pair, moment } => Start::Event { pair, moment },
-                Place::Foot { .. } | Place::At { .. } => return None,
+                Place::Foot { .. } | Place::At { .. } | Place::On { .. } => return None,
             };
             let bound = match line {
                 Line::Pair(pair) if self.planes.drift(pair, plane).is_zero() => return None,
@@ -247,6 +247,7 @@ impl Checker<'_> {
             }
             Place::Event { moment, .. } => moment.contains(&plane),
             Place::At { pair, .. }
+            | Place::On { pair, .. }
             | Place::Foot {
                 bound: Bound::Pair(pair),
                 ..
