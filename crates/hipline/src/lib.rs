@@ -18,6 +18,7 @@ pub mod centreline;
 pub mod engine;
 pub mod input;
 mod kinetic;
+mod monotone;
 pub mod observe;
 pub mod offset;
 mod predicates;

@@ -6,7 +6,7 @@
 
 use crate::{
     input::Figure,
-    kinetic,
+    kinetic, monotone,
     skeleton::{Options, Region, Skeleton},
     topology::EdgeId,
 };
@@ -20,6 +20,9 @@ pub enum Engine {
     Auto,
     /// The kinetic triangulation (Aichholzer & Aurenhammer 1996). Applies to everything.
     Kinetic,
+    /// Two chains and their merge (Biedl and others, 2015). Applies to the inside of monotone
+    /// polygons, with positive speeds.
+    Monotone,
 }
 
 /// Why an engine does not apply to a figure.
@@ -38,6 +41,9 @@ pub enum NotApplicable {
         /// The edge, as the figure numbers them.
         edge: EdgeId,
     },
+    /// The polygon is not monotone.
+    #[error("the polygon is not monotone in any direction")]
+    NotMonotone,
     /// A vertex has a height.
     #[error("the figure has heights")]
     Heights,
@@ -64,6 +70,7 @@ impl Figure {
     pub fn skeleton_by(&self, engine: Engine, options: Options) -> Result<Skeleton, NotApplicable> {
         match engine {
             Engine::Auto | Engine::Kinetic => Ok(kinetic::skeleton(self, self.region(options))),
+            Engine::Monotone => monotone::skeleton(self),
         }
     }
 
