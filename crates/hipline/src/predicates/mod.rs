@@ -20,6 +20,7 @@ mod rough;
 mod speeds;
 mod station;
 mod terminal;
+mod turn;
 
 pub(crate) use eaves::Eave;
 pub(crate) use expression::{Corner, Direction};
@@ -30,3 +31,4 @@ pub(crate) use place::{Bound, Place, Start};
 pub(crate) use planes::{PlaneId, Planes};
 pub(crate) use station::{Spot, Station, Track, Way, rough_side};
 pub(crate) use terminal::Terminal;
+pub(crate) use turn::turn;
