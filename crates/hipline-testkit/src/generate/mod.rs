@@ -3,12 +3,14 @@
 mod family;
 mod grid;
 mod maze;
+mod monotone;
 mod random;
 mod shapes;
 mod small;
 mod weighted;
 
 pub use family::Family;
+pub use monotone::{monotone_large, monotone_small, monotone_weighted};
 pub use random::Random;
 pub use small::{Kind, small, small_of, weigh};
 pub use weighted::{Weights, change_speeds, small_weighted};

@@ -70,7 +70,7 @@ impl Figure {
     pub fn skeleton_by(&self, engine: Engine, options: Options) -> Result<Skeleton, NotApplicable> {
         match engine {
             Engine::Auto | Engine::Kinetic => Ok(kinetic::skeleton(self, self.region(options))),
-            Engine::Monotone => monotone::skeleton(self),
+            Engine::Monotone => monotone::skeleton(self, self.region(options)),
         }
     }
 

@@ -7,7 +7,7 @@
 
 use std::cmp::Ordering;
 
-use super::chains::{Chains, Front, NONE, Side};
+use super::chains::{Chains, NONE, Side};
 use crate::{
     predicates::{Bounds, Moment, Place, PlaneId},
     wavefront::{End, EventNode, Trace},
@@ -133,25 +133,13 @@ impl Chains<'_> {
     /// A cursor beyond a trace of an eastern boundary, at the given time.
     pub(super) fn enter(&self, side: Side, x: u32, now: &Time) -> Cursor {
         let mut wave = self.beyond(side, x);
-        // The trace may have started beside a part of that, or that may have become part of
-        // another since.
-        let joined = |join: u32| {
-            let time = self.time_of(self.trace(self.joins[join as usize].ghost).born);
-            self.compare(&time, now).is_lt()
-        };
-        loop {
-            let Front {
-                joined: up,
-                last_join: down,
-                ..
-            } = self.waves[wave as usize];
-            if up != NONE && joined(up) {
-                wave = self.joins[up as usize].east;
-            } else if down != NONE && !joined(down) {
-                wave = self.joins[down as usize].west;
-            } else {
+        // It may have become part of another since.
+        while self.waves[wave as usize].joined != NONE {
+            let join = self.waves[wave as usize].joined;
+            if self.compare(&self.time_of_join(join), now).is_ge() {
                 break;
             }
+            wave = self.joins[join as usize].east;
         }
         self.at_start_of(side, wave)
     }
@@ -188,6 +176,7 @@ impl Chains<'_> {
     pub(super) fn seek(&mut self, cursor: &mut Cursor, now: &Time, forward: bool) -> bool {
         loop {
             self.steps += 1;
+            if self.steps > 100000 { panic!("steps seek {cursor:?} {now:?} {forward}"); }
             if cursor.east == NONE {
                 return true;
             }

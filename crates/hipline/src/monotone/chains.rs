@@ -506,9 +506,8 @@ impl<'a> Chains<'a> {
     fn end_batch(&mut self) {
         let mut fresh = std::mem::take(&mut self.fresh);
         for x in fresh.drain(..) {
-            let Trace { inn, out, end, .. } = *self.front.trace(x);
-            if end == End::Moving {
-                for w in [inn, out].map(|w| w.index() as u32) {
+            if self.front.trace(x).end == End::Moving {
+                for w in self.beside(x) {
                     let bounds = self.next_collapse(w);
                     self.set_queued(w, bounds);
                 }

@@ -85,7 +85,9 @@ impl<'c, 'a> Merge<'c, 'a> {
         merge.walk(east)
     }
 
+    #[track_caller]
     fn trouble<T>(&self) -> Result<T, Trouble> {
+        eprintln!("DEBUG {} {:?} {:?} {:?} node {} {:?}", std::panic::Location::caller(), self.planes(), self.upper, self.lower, self.node, self.now);
         Err(Trouble(self.chains.plane(self.upper.wave)))
     }
 
@@ -97,6 +99,8 @@ impl<'c, 'a> Merge<'c, 'a> {
         loop {
             self.chains.steps += 1;
             let course = self.course()?;
+            if std::env::var("MONO").is_ok() { eprintln!("DEBUG {course:?} {:?} {:?} {:?} node {} {:?}", self.planes(), self.upper, self.lower, self.node, self.now); }
+            if self.chains.steps > 100000 { panic!("steps"); }
             let exit = match course {
                 Course::Forward | Course::Backward => {
                     self.next_exit(course == Course::Forward)?
@@ -136,6 +140,7 @@ impl<'c, 'a> Merge<'c, 'a> {
         self.seek(forward);
         loop {
             self.chains.steps += 1;
+            if self.chains.steps > 100000 { panic!("steps"); }
             let [i, k] = self.planes();
             let mut parts = [false; 2];
             let mut looks = [(self.upper, k), (self.lower, i)].map(|(cursor, plane)| {
@@ -342,6 +347,7 @@ impl<'c, 'a> Merge<'c, 'a> {
         let [i, _] = self.planes();
         loop {
             self.chains.steps += 1;
+            if self.chains.steps > 100000 { panic!("steps"); }
             let (s, e) = (self.upper.east, self.lower.east);
             if s == NONE || e == NONE {
                 return self.trouble();

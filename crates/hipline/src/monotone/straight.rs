@@ -7,7 +7,7 @@ use super::chains::{Chains, Join, NONE, Side, Trouble};
 use crate::{
     predicates::PlaneId,
     topology::{TraceId, WaveId},
-    wavefront::{End, Trace, Walk},
+    wavefront::{End, Walk},
 };
 use hipline_num::Sign;
 
@@ -95,8 +95,7 @@ impl Chains<'_> {
 
     /// Two wavefront edges on one plane become one: the eastern one takes the other over.
     fn join(&mut self, x: TraceId) {
-        let Trace { inn, out, .. } = *self.front.trace(x);
-        let (a, b) = (inn.index(), out.index());
+        let [a, b] = self.beside(x).map(|w| w as usize);
         let side = self.waves[a].side;
         let (west, east) = match side {
             Side::Lower => (a, b),
@@ -127,44 +126,52 @@ impl Chains<'_> {
         self.takes_place(east as u32);
     }
 
-    /// The neighbours of a wavefront edge, and the vertices at its ends, know it.
+    /// The neighbours of a wavefront edge know it, and may collapse at another moment. (The vertices at
+    /// its ends do not: where the joint face is cut apart afterwards, or never was one, they belong to
+    /// the part that they had.)
     fn takes_place(&mut self, w: u32) {
         let wave = self.waves[w as usize];
         if wave.start != NONE {
             self.waves[wave.prev as usize].next = w;
-            let x = TraceId::raw(wave.start);
-            self.front.trace_mut(x).out = WaveId::raw(w);
-            self.refresh(x);
+            self.fresh_again(TraceId::raw(wave.start));
         }
         if wave.end != NONE {
             self.waves[wave.next as usize].prev = w;
-            let x = TraceId::raw(wave.end);
-            self.front.trace_mut(x).inn = WaveId::raw(w);
-            self.refresh(x);
+            self.fresh_again(TraceId::raw(wave.end));
         }
     }
 
-    /// The wavefront edges beside a vertex have changed, and may collapse at another moment; at
-    /// time zero its planes have changed.
-    fn refresh(&mut self, x: TraceId) {
-        self.fresh_again(x);
-        let trace = *self.front.trace(x);
-        if trace.turn.is_zero() || trace.born >= self.front.vertices {
-            return;
-        }
-        let [i, j] = [trace.inn, trace.out].map(|w| self.plane_of(w));
-        self.front.trace_mut(x).pair = if trace.turn == Sign::Positive {
-            [i, j]
-        } else {
+    /// The wavefront edges beside a vertex, as they are now.
+    pub(super) fn beside(&self, x: TraceId) -> [u32; 2] {
+        let trace = self.front.trace(x);
+        [trace.inn, trace.out].map(|wave| {
+            let mut w = wave.index() as u32;
+            while self.waves[w as usize].joined != NONE {
+                w = self.joins[self.waves[w as usize].joined as usize].east;
+            }
+            w
+        })
+    }
+
+    /// At time zero, a vertex lies between other wavefront edges than it seemed.
+    fn rename(&mut self, x: TraceId, inn: Option<u32>, out: Option<u32>) {
+        let plane = |w: WaveId| self.front.wave(w).plane;
+        let mut trace = *self.front.trace(x);
+        trace.inn = inn.map_or(trace.inn, WaveId::raw);
+        trace.out = out.map_or(trace.out, WaveId::raw);
+        let [i, j] = [trace.inn, trace.out].map(plane);
+        trace.pair = if trace.turn == Sign::Negative {
             [j, i]
+        } else {
+            [i, j]
         };
+        *self.front.trace_mut(x) = trace;
     }
 
     /// At time zero the faster one of two wavefront edges on one line overruns the slower one,
     /// along its base.
     fn overrun_at_start(&mut self, x: TraceId, ends: [Option<u32>; 2]) {
-        let Trace { inn, out, .. } = *self.front.trace(x);
-        let (a, b) = (inn.index(), out.index());
+        let [a, b] = self.beside(x).map(|w| w as usize);
         if self.speeds_at(x).is_lt() {
             let slow = self.waves[a];
             let far = match slow.start {
@@ -180,7 +187,9 @@ impl Chains<'_> {
             if slow.start == NONE {
                 kept.head = Walk::Down(x);
             } else {
-                self.start_goes_on(x, TraceId::raw(slow.start));
+                let start = TraceId::raw(slow.start);
+                self.rename(start, None, Some(b as u32));
+                self.start_goes_on(x, start);
             }
             self.takes_place(b as u32);
         } else {
@@ -197,7 +206,9 @@ impl Chains<'_> {
             if slow.end == NONE {
                 kept.tail = Walk::Up(x);
             } else {
-                self.end_goes_on(x, TraceId::raw(slow.end));
+                let end = TraceId::raw(slow.end);
+                self.rename(end, Some(a as u32), None);
+                self.end_goes_on(x, end);
             }
             self.takes_place(a as u32);
         }
@@ -205,8 +216,7 @@ impl Chains<'_> {
 
     /// The faster one of two wavefront edges on one line overruns the slower one, to its far end.
     fn overrun(&mut self, x: TraceId) -> Result<(), Trouble> {
-        let Trace { inn, out, .. } = *self.front.trace(x);
-        let (a, b) = (inn.index(), out.index());
+        let [a, b] = self.beside(x).map(|w| w as usize);
         if self.speeds_at(x).is_lt() {
             let slow = self.waves[a];
             if slow.start == NONE {
