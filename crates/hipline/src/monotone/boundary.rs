@@ -49,6 +49,8 @@ pub(super) enum Look {
     Until(Time),
     /// It does not, and nothing comes next.
     Never,
+    /// The merge chain is beyond it already. With weights, what was cut off may come back in its own chain.
+    Lost,
 }
 
 impl Chains<'_> {
@@ -213,6 +215,19 @@ impl Chains<'_> {
         }
     }
 
+    /// Moves a cursor from the start of a boundary to what is there right before a time.
+    pub(super) fn look_up(&self, cursor: &mut Cursor, now: &Time) {
+        while cursor.east != NONE
+            && let End::At(end) = self.trace(cursor.east).end
+            && self.compare(&self.time_of(end), now).is_lt()
+        {
+            match self.after(cursor.side, cursor.east) {
+                NONE => break,
+                after => cursor.east = after,
+            }
+        }
+    }
+
     /// The moment when a trace meets a plane.
     fn crossing(&self, x: u32, plane: PlaneId) -> Time {
         let trace = self.trace(x);
@@ -249,6 +264,14 @@ impl Chains<'_> {
         };
         if self.meets_coplanar(cursor.side, &trace, plane) {
             return crosses(None, *now);
+        }
+        if !self.planes.is_unweighted() && !trace.turn.is_zero() && now.moment != Moment::Start {
+            // What has length zero vanishes, even if its ends would move apart again.
+            match self.planes.lead(&now.moment, trace.pair, plane) {
+                Sign::Positive => {}
+                Sign::Zero => return crosses(None, *now),
+                Sign::Negative => return Look::Lost,
+            }
         }
         match trace.end {
             End::At(node) => match self.ahead(node, plane) {

@@ -163,12 +163,15 @@ impl<'c, 'a> Merge<'c, 'a> {
                     Look::Crosses(Crossing { time, .. }) | Look::Until(time) => {
                         first(time, &join).is_gt()
                     }
-                    Look::Never => true,
+                    Look::Never | Look::Lost => true,
                 };
                 if later {
                     looks[side] = Look::Until(join);
                     parts[side] = true;
                 }
+            }
+            if looks.iter().any(|look| matches!(look, Look::Lost)) {
+                return self.trouble();
             }
             let next = match looks {
                 [Look::Crosses(p), Look::Crosses(q)] => {
@@ -195,7 +198,7 @@ impl<'c, 'a> Merge<'c, 'a> {
                 [Look::Until(t), Look::Until(u)] if first(&t, &u).is_le() => Side::Upper,
                 [Look::Until(_), Look::Never] => Side::Upper,
                 [_, Look::Until(_)] => Side::Lower,
-                [Look::Never, Look::Never] => return Ok(None),
+                _ => return Ok(None),
             };
             if parts[usize::from(next == Side::Lower)] {
                 self.come_apart(next, if next == Side::Upper { k } else { i });
@@ -283,6 +286,9 @@ impl<'c, 'a> Merge<'c, 'a> {
                 .flatten()
         };
         let (upper, lower) = (at(&self.upper), at(&self.lower));
+        if let Some(exit) = self.level_joint() {
+            return Ok(exit);
+        }
         let crossing = |cursor: &Cursor| {
             let end = self.chains.end_node(cursor.east);
             Crossing {
@@ -307,6 +313,62 @@ impl<'c, 'a> Merge<'c, 'a> {
         })
     }
 
+    /// Where edges of one chain meet face to face now, and one of them has been one with the edge on the other
+    /// side for a while, the ridge between these two ends here.
+    fn level_joint(&self) -> Option<Exit> {
+        let [i, k] = self.planes();
+        for (cursor, other, plane) in [(self.upper, self.lower, k), (self.lower, self.upper, i)] {
+            if cursor.east == NONE || other.east == NONE {
+                continue;
+            }
+            let x = self.chains.after(cursor.side, cursor.east);
+            if x == NONE {
+                continue;
+            }
+            let trace = *self.chains.trace(x);
+            let starts = self.chains.time_of(trace.born);
+            if !trace.turn.is_zero()
+                || self.chains.compare(&starts, &self.now).is_ne()
+                || !self.chains.meets_coplanar(cursor.side, &trace, plane)
+            {
+                continue;
+            }
+            let mut beyond = self
+                .chains
+                .at_start_of(cursor.side, self.chains.beyond(cursor.side, x));
+            self.chains.look_up(&mut beyond, &self.now);
+            let ends = [beyond, other].map(|cursor| {
+                (cursor.east != NONE)
+                    .then(|| self.chains.place_at(&cursor, &self.now))
+                    .flatten()
+            });
+            let [Some(p), Some(q)] = ends else { continue };
+            let order = self.chains.planes.compare_along(&p, &q, plane);
+            let overlap = match cursor.side {
+                Side::Upper => order.is_lt(),
+                Side::Lower => order.is_gt(),
+            };
+            if overlap {
+                let crossing = Crossing {
+                    trace: x,
+                    node: None,
+                    time: self.now,
+                };
+                return Some(match cursor.side {
+                    Side::Upper => Exit {
+                        upper: Some(crossing),
+                        lower: None,
+                    },
+                    Side::Lower => Exit {
+                        upper: None,
+                        lower: Some(crossing),
+                    },
+                });
+            }
+        }
+        None
+    }
+
     /// What is joined only now does not count yet, where edges meet face to face: goes to the part
     /// that the merge chain is in.
     fn level_parts(&mut self) {
@@ -328,8 +390,8 @@ impl<'c, 'a> Merge<'c, 'a> {
                 let plane = self.chains.plane(cursor.wave);
                 let order = self.chains.planes.compare_along(&ghost, &here, plane);
                 let west = match side {
-                    Side::Upper => order.is_lt(),
-                    Side::Lower => order.is_gt(),
+                    Side::Upper => order.is_le(),
+                    Side::Lower => order.is_ge(),
                 };
                 if west {
                     cursor = self.western_part(side, join);
@@ -422,12 +484,28 @@ impl<'c, 'a> Merge<'c, 'a> {
         ]
         .map(|w| self.chains.plane(w as u32));
         let triple = [beyond[0], i, beyond[1]];
-        if [s, e].iter().any(|&x| self.chains.trace(x).turn.is_zero())
-            || !self.chains.planes.do_meet(triple)
-        {
-            return self.trouble();
+        let level = [s, e].map(|x| self.chains.trace(x).turn.is_zero());
+        let time = match level {
+            [true, true] => return self.trouble(),
+            [true, false] => self.chains.time_of(self.chains.trace(s).born),
+            [false, true] => self.chains.time_of(self.chains.trace(e).born),
+            _ if !self.chains.planes.do_meet(triple) => return self.trouble(),
+            _ => self.chains.meeting(triple),
+        };
+        if level != [false; 2] {
+            // The level one is cut where the other one is then.
+            let crossing = |x: u32, level: bool| Crossing {
+                trace: x,
+                node: self.chains.end_node(x).filter(|&n| {
+                    !level && self.chains.compare(&self.chains.time_of(n), &time).is_eq()
+                }),
+                time,
+            };
+            return Ok(Exit {
+                upper: Some(crossing(s, level[0])),
+                lower: Some(crossing(e, level[1])),
+            });
         }
-        let time = self.chains.meeting(triple);
         let crossing = |x: u32| {
             let nodes = [self.chains.end_node(x), Some(self.chains.trace(x).born)];
             Crossing {
@@ -462,7 +540,11 @@ impl<'c, 'a> Merge<'c, 'a> {
                 });
             }
         }
-        let node = node.unwrap_or_else(|| self.new_node(course, &any));
+        let steep = [exit.lower, exit.upper]
+            .into_iter()
+            .flatten()
+            .find(|crossing| !self.chains.trace(crossing.trace).turn.is_zero());
+        let node = node.unwrap_or_else(|| self.new_node(course, &steep.unwrap_or(any)));
         if here && course == (Course::Joint { forward: false }) && self.last_upper.is_none() {
             return self.trouble();
         }
@@ -489,6 +571,12 @@ impl<'c, 'a> Merge<'c, 'a> {
 
     /// Whether a ridge of one height has length zero.
     fn is_at(&self, exit: &Exit) -> bool {
+        let fresh = |crossing: &Option<Crossing>, cursor: &Cursor| {
+            crossing.is_some_and(|crossing| crossing.trace != cursor.east)
+        };
+        if fresh(&exit.upper, &self.upper) || fresh(&exit.lower, &self.lower) {
+            return true;
+        }
         let here = self.chains.place_of(self.node);
         let [i, _] = self.planes();
         let at = |cursor: &Cursor| {
