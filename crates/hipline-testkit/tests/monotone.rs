@@ -9,8 +9,8 @@ use std::thread;
 
 use hipline::{Engine, Figure, NotApplicable, Options, Skeleton};
 use hipline_testkit::Case;
-use hipline_testkit::case::Part;
 use hipline_testkit::agreement::{compare, drawn};
+use hipline_testkit::case::Part;
 use hipline_testkit::generate::{monotone_large, monotone_small, monotone_weighted};
 use hipline_testkit::hunt::overruns_at_zero;
 use hipline_testkit::reduce::reduce;
@@ -52,7 +52,9 @@ fn failure(figure: &Figure, small: bool) -> Result<Option<String>, NotApplicable
         Err(panic) => return Ok(Some(panic)),
         Ok(result) => result?,
     };
-    let expected = by(Engine::Kinetic).expect("the kinetic engine").expect("applies to everything");
+    let expected = by(Engine::Kinetic)
+        .expect("the kinetic engine")
+        .expect("applies to everything");
     if let Some(how) = difference(&expected, &skeleton) {
         return Ok(Some(how));
     }
@@ -134,13 +136,22 @@ fn agrees(generate: fn(u64) -> Case, release: u64) -> u64 {
         .flat_map(|tally| tally.failed.iter().map(String::as_str))
         .collect();
     let some: Vec<&str> = failed.iter().copied().take(6).collect();
-    assert!(failed.is_empty(), "{} fail\n{}", failed.len(), some.join("\n\n"));
+    assert!(
+        failed.is_empty(),
+        "{} fail\n{}",
+        failed.len(),
+        some.join("\n\n")
+    );
     count - agree
 }
 
 #[test]
 fn small_polygons_agree() {
-    assert_eq!(agrees(monotone_small, 20_000), 0, "the engine applies to all");
+    assert_eq!(
+        agrees(monotone_small, 20_000),
+        0,
+        "the engine applies to all"
+    );
 }
 
 #[test]
@@ -150,7 +161,11 @@ fn weighted_polygons_agree_or_are_refused() {
 
 #[test]
 fn large_polygons_agree() {
-    let size = if cfg!(debug_assertions) { 1_000 } else { 100_000 };
+    let size = if cfg!(debug_assertions) {
+        1_000
+    } else {
+        100_000
+    };
     for seed in 0..4 {
         let case = Case::of(vec![Part::polygon(vec![monotone_large(seed, size)])]);
         let figure = case.figure().expect("simple");

@@ -30,6 +30,8 @@ pub(super) struct Cursor {
     pub east: u32,
     /// The last join of the wavefront edge that going back in time has not passed yet.
     pub parts: u32,
+    /// The trace of the western boundary there (none: it is the western ray). Only with weights.
+    pub west: u32,
 }
 
 /// The merge chain reaches an eastern boundary.
@@ -101,6 +103,17 @@ impl Chains<'_> {
         }
     }
 
+    /// The trace after or before another one along the western boundary.
+    pub(super) fn along_west(&self, side: Side, x: u32, forward: bool) -> u32 {
+        let links = &self.links[x as usize];
+        match (side, forward) {
+            (Side::Lower, true) => links.next_out,
+            (Side::Lower, false) => links.prev_out,
+            (Side::Upper, true) => links.next_in,
+            (Side::Upper, false) => links.prev_in,
+        }
+    }
+
     /// The wavefront edge beyond a trace of an eastern boundary, when it started.
     pub(super) fn beyond(&self, side: Side, x: u32) -> u32 {
         let trace = self.trace(x);
@@ -153,6 +166,7 @@ impl Chains<'_> {
             wave,
             east: self.first_east(side, wave),
             parts: NONE,
+            west: NONE,
         }
     }
 
@@ -178,7 +192,6 @@ impl Chains<'_> {
     pub(super) fn seek(&mut self, cursor: &mut Cursor, now: &Time, forward: bool) -> bool {
         loop {
             self.steps += 1;
-            if self.steps > 100000 { panic!("steps seek {cursor:?} {now:?} {forward}"); }
             if cursor.east == NONE {
                 return true;
             }
@@ -303,6 +316,8 @@ impl Chains<'_> {
         }
         let trace = *self.trace(cursor.east);
         let end = match trace.end {
+            // Along the base of an edge that was overrun at once.
+            End::At(node) if node < self.front.vertices => return Look::Never,
             End::At(node) => Some(node),
             _ => None,
         };

@@ -80,8 +80,9 @@ pub(super) struct Join {
     pub ghost: u32,
     pub west: u32,
     pub east: u32,
-    /// The eastern boundary of the eastern one at that moment.
+    /// The eastern boundary of the eastern one at that moment, and the western boundary of the western one.
     pub boundary: u32,
+    pub western: u32,
     /// The join of the eastern one before this one.
     pub before: u32,
 }
@@ -324,9 +325,7 @@ impl<'a> Chains<'a> {
         let [before, after] =
             [wave.prev, wave.next].map(|neighbour| self.waves[neighbour as usize].plane);
         let turns = self.trace(wave.start).turn * self.trace(wave.end).turn;
-        let bounds = self
-            .planes
-            .meeting_if([before, wave.plane, after], turns)?;
+        let bounds = self.planes.meeting_if([before, wave.plane, after], turns)?;
         let mut triple = [before, wave.plane, after];
         triple.sort_unstable();
         self.collapse[w as usize] = triple;
@@ -418,7 +417,9 @@ impl<'a> Chains<'a> {
         let mut at = first;
         loop {
             self.events += 1;
-            let Front { start, end, next, .. } = self.waves[at as usize];
+            let Front {
+                start, end, next, ..
+            } = self.waves[at as usize];
             let (start, end) = (TraceId::raw(start), TraceId::raw(end));
             self.front.trace_mut(end).end = End::At(node);
             self.front.vanishes(start, end);

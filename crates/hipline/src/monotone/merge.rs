@@ -36,6 +36,8 @@ pub(super) struct Merge<'c, 'a> {
     first_lower: Option<Walk>,
     /// A plane of the lower chain that is not perpendicular to the direction of monotonicity.
     flat: PlaneId,
+    /// By wavefront edge: whether its face was left.
+    left: Vec<bool>,
     /// The trace that goes on as the next stretch: see [`Merge::leave`].
     glued: Option<TraceId>,
 }
@@ -48,7 +50,9 @@ enum Course {
     /// At one height.
     Level,
     /// The faces lie on one plane, and their wavefront edges move in time as in walking.
-    Joint { forward: bool },
+    Joint {
+        forward: bool,
+    },
 }
 
 /// Which boundaries the merge chain reaches first.
@@ -68,7 +72,7 @@ impl<'c, 'a> Merge<'c, 'a> {
     ) -> Result<(), Trouble> {
         let first_lower = Some(chains.waves[lower as usize].head);
         let last_upper = Some(chains.waves[upper as usize].tail);
-        let merge = Merge {
+        let mut merge = Merge {
             upper: chains.at_start_of(Side::Upper, upper),
             lower: chains.at_start_of(Side::Lower, lower),
             chains,
@@ -81,13 +85,13 @@ impl<'c, 'a> Merge<'c, 'a> {
             first_lower,
             flat,
             glued: None,
+            left: Vec::new(),
         };
+        merge.left = vec![false; merge.chains.waves.len()];
         merge.walk(east)
     }
 
-    #[track_caller]
     fn trouble<T>(&self) -> Result<T, Trouble> {
-        eprintln!("DEBUG {} {:?} {:?} {:?} node {} {:?}", std::panic::Location::caller(), self.planes(), self.upper, self.lower, self.node, self.now);
         Err(Trouble(self.chains.plane(self.upper.wave)))
     }
 
@@ -98,13 +102,12 @@ impl<'c, 'a> Merge<'c, 'a> {
     fn walk(mut self, east: u32) -> Result<(), Trouble> {
         loop {
             self.chains.steps += 1;
+            if self.left[self.upper.wave as usize] || self.left[self.lower.wave as usize] {
+                return self.trouble();
+            }
             let course = self.course()?;
-            if std::env::var("MONO").is_ok() { eprintln!("DEBUG {course:?} {:?} {:?} {:?} node {} {:?}", self.planes(), self.upper, self.lower, self.node, self.now); }
-            if self.chains.steps > 100000 { panic!("steps"); }
             let exit = match course {
-                Course::Forward | Course::Backward => {
-                    self.next_exit(course == Course::Forward)?
-                }
+                Course::Forward | Course::Backward => self.next_exit(course == Course::Forward)?,
                 Course::Level => Some(self.level_exit()?),
                 Course::Joint { forward } => Some(self.joint_exit(forward)?),
             };
@@ -137,10 +140,11 @@ impl<'c, 'a> Merge<'c, 'a> {
     /// The exit from either face that comes first.
     fn next_exit(&mut self, forward: bool) -> Result<Option<Exit>, Trouble> {
         let now = self.now;
-        self.seek(forward);
+        // From right before this moment on: what jumps at it, along a ridge of one height, may
+        // jump over the merge chain.
+        self.seek(false);
         loop {
             self.chains.steps += 1;
-            if self.chains.steps > 100000 { panic!("steps"); }
             let [i, k] = self.planes();
             let mut parts = [false; 2];
             let mut looks = [(self.upper, k), (self.lower, i)].map(|(cursor, plane)| {
@@ -201,7 +205,7 @@ impl<'c, 'a> Merge<'c, 'a> {
                 _ => return Ok(None),
             };
             if parts[usize::from(next == Side::Lower)] {
-                self.come_apart(next, if next == Side::Upper { k } else { i });
+                self.come_apart(next, if next == Side::Upper { k } else { i })?;
             } else {
                 self.go_on(next, forward)?;
             }
@@ -209,25 +213,86 @@ impl<'c, 'a> Merge<'c, 'a> {
     }
 
     /// Going back in time, what was joined comes apart: the merge chain is in one of the parts.
-    fn come_apart(&mut self, side: Side, plane: PlaneId) {
+    fn come_apart(&mut self, side: Side, plane: PlaneId) -> Result<(), Trouble> {
         let mut cursor = *self.cursor(side);
         let join = self.chains.joins[cursor.parts as usize];
         let node = self.chains.trace(join.ghost).born;
-        if self.chains.ahead(node, plane) == Sign::Positive {
+        if self.left[join.west as usize] || self.chains.ahead(node, plane) == Sign::Positive {
             cursor.parts = join.before;
+            if !self.chains.planes.is_unweighted() {
+                let now = self.chains.time_of(node);
+                self.check_west(&mut cursor, plane, &now, false)?;
+                cursor.west = self.chains.along_west(side, join.ghost, false);
+            }
         } else {
-            cursor = self.western_part(side, join);
+            cursor = self.western_part(cursor, join);
         }
         *self.cursor(side) = cursor;
+        Ok(())
+    }
+
+    /// With weights, what was cut off may come back in its own chain, over the western boundary of a face: then
+    /// that chain is no longer what is true of the polygon. Goes along that boundary from where the
+    /// cursor is up to a time; it must stay on its side.
+    fn check_west(
+        &self,
+        cursor: &mut Cursor,
+        plane: PlaneId,
+        until: &Time,
+        forward: bool,
+    ) -> Result<(), Trouble> {
+        let wrong = if forward {
+            Sign::Positive
+        } else {
+            Sign::Negative
+        };
+        while cursor.west != NONE {
+            let trace = *self.chains.trace(cursor.west);
+            let stop = match (forward, trace.end) {
+                (true, End::At(node)) => Some(node),
+                (true, End::Moving) => None,
+                (true, End::Ghost) | (false, _) => Some(trace.born),
+            };
+            if let Some(node) = stop {
+                let order = self.chains.compare(&self.chains.time_of(node), until);
+                if if forward {
+                    order.is_le()
+                } else {
+                    order.is_ge()
+                } {
+                    if self.chains.ahead(node, plane) == wrong {
+                        return self.trouble();
+                    }
+                    let next = if forward && trace.end == End::Ghost {
+                        let parts = [trace.inn, trace.out].map(WaveId::index);
+                        let west = parts[usize::from(cursor.side == Side::Upper)];
+                        self.chains.joins[self.chains.waves[west].joined as usize].western
+                    } else {
+                        self.chains.along_west(cursor.side, cursor.west, forward)
+                    };
+                    if next == NONE {
+                        return Ok(());
+                    }
+                    cursor.west = next;
+                    continue;
+                }
+            }
+            let proper = !trace.turn.is_zero() && until.moment != Moment::Start;
+            if proper && self.chains.planes.lead(&until.moment, trace.pair, plane) == wrong {
+                return self.trouble();
+            }
+            return Ok(());
+        }
+        Ok(())
     }
 
     /// The western part of a joint wavefront edge, right before it was joined.
-    fn western_part(&self, side: Side, join: Join) -> Cursor {
+    fn western_part(&self, cursor: Cursor, join: Join) -> Cursor {
         Cursor {
-            side,
             wave: join.west,
-            east: self.chains.before(side, join.ghost),
+            east: self.chains.before(cursor.side, join.ghost),
             parts: self.chains.waves[join.west as usize].last_join,
+            ..cursor
         }
     }
 
@@ -280,6 +345,9 @@ impl<'c, 'a> Merge<'c, 'a> {
         self.seek(false);
         let [i, _] = self.planes();
         self.level_parts();
+        if self.is_overrun() {
+            return self.trouble();
+        }
         let at = |cursor: &Cursor| {
             (cursor.east != NONE)
                 .then(|| self.chains.place_at(cursor, &self.now))
@@ -311,6 +379,32 @@ impl<'c, 'a> Merge<'c, 'a> {
             upper: order.is_ge().then(|| crossing(&self.upper)),
             lower: order.is_le().then(|| crossing(&self.lower)),
         })
+    }
+
+    /// Whether an edge is overrun in its own chain at the very moment when it meets another one face to face:
+    /// edges that meet come first then, which the chain could not know.
+    fn is_overrun(&self) -> bool {
+        let chains = &*self.chains;
+        let overruns = |x: u32| {
+            x != NONE && {
+                let trace = chains.trace(x);
+                let [a, b] = [trace.inn, trace.out].map(|w| chains.front.wave(w).plane);
+                trace.end != End::Ghost
+                    && trace.turn.is_zero()
+                    && chains.planes.same_direction(a, b)
+                    && chains
+                        .compare(&chains.time_of(trace.born), &self.now)
+                        .is_eq()
+            }
+        };
+        !chains.planes.is_unweighted()
+            && [self.upper, self.lower].iter().any(|cursor| {
+                let after = match cursor.east {
+                    NONE => NONE,
+                    east => chains.after(cursor.side, east),
+                };
+                [cursor.west, cursor.east, after].into_iter().any(overruns)
+            })
     }
 
     /// Where edges of one chain meet face to face now, and one of them has been one with the edge on the other
@@ -384,17 +478,15 @@ impl<'c, 'a> Merge<'c, 'a> {
                 {
                     break;
                 }
-                let ghost = self
-                    .chains
-                    .place_of(self.chains.trace(join.ghost).born);
+                let ghost = self.chains.place_of(self.chains.trace(join.ghost).born);
                 let plane = self.chains.plane(cursor.wave);
                 let order = self.chains.planes.compare_along(&ghost, &here, plane);
                 let west = match side {
                     Side::Upper => order.is_le(),
                     Side::Lower => order.is_ge(),
                 };
-                if west {
-                    cursor = self.western_part(side, join);
+                if west && !self.left[join.west as usize] {
+                    cursor = self.western_part(cursor, join);
                 } else {
                     cursor.parts = join.before;
                 }
@@ -409,7 +501,6 @@ impl<'c, 'a> Merge<'c, 'a> {
         let [i, _] = self.planes();
         loop {
             self.chains.steps += 1;
-            if self.chains.steps > 100000 { panic!("steps"); }
             let (s, e) = (self.upper.east, self.lower.east);
             if s == NONE || e == NONE {
                 return self.trouble();
@@ -442,7 +533,8 @@ impl<'c, 'a> Merge<'c, 'a> {
             let node = if side == Side::Upper { s_stop } else { e_stop };
             let node = node.expect("just chosen");
             let then = self.chains.time_of(node);
-            let [p, q] = [self.upper, self.lower].map(|cursor| self.chains.place_at(&cursor, &then));
+            let [p, q] =
+                [self.upper, self.lower].map(|cursor| self.chains.place_at(&cursor, &then));
             let (Some(p), Some(q)) = (p, q) else {
                 return self.trouble();
             };
@@ -451,8 +543,15 @@ impl<'c, 'a> Merge<'c, 'a> {
                 return self.joint_crossing(s, e);
             }
             if forward
-                && self.chains.trace(if side == Side::Upper { s } else { e }).end != End::Ghost
-                && self.chains.after(side, if side == Side::Upper { s } else { e }) == NONE
+                && self
+                    .chains
+                    .trace(if side == Side::Upper { s } else { e })
+                    .end
+                    != End::Ghost
+                && self
+                    .chains
+                    .after(side, if side == Side::Upper { s } else { e })
+                    == NONE
             {
                 // One of them vanishes, in its own chain; the other goes on.
                 let crossing = Crossing {
@@ -556,6 +655,16 @@ impl<'c, 'a> Merge<'c, 'a> {
                     _ => self.trouble(),
                 };
             }
+            if !self.chains.planes.is_unweighted()
+                && matches!(course, Course::Forward | Course::Backward)
+            {
+                let [i, k] = self.planes();
+                let (mut upper, mut lower) = (self.upper, self.lower);
+                let forward = course == Course::Forward;
+                self.check_west(&mut upper, k, &any.time, forward)?;
+                self.check_west(&mut lower, i, &any.time, forward)?;
+                (self.upper, self.lower) = (upper, lower);
+            }
             self.stretch(course, node);
             self.node = node;
             self.now = any.time;
@@ -566,7 +675,33 @@ impl<'c, 'a> Merge<'c, 'a> {
         if let Some(crossing) = exit.upper {
             self.leave(Side::Upper, &crossing);
         }
+        self.leave_dead(Side::Lower);
+        self.leave_dead(Side::Upper);
         Ok(())
+    }
+
+    /// Leaves the faces of wavefront edges that vanish right here.
+    fn leave_dead(&mut self, side: Side) {
+        loop {
+            let wave = self.cursor(side).wave;
+            let death = self.chains.waves[wave as usize].death;
+            if death == NONE || self.chains.front.node(death) != self.chains.front.node(self.node) {
+                return;
+            }
+            let mut trace = self.chains.at_start_of(side, wave).east;
+            loop {
+                match self.chains.after(side, trace) {
+                    NONE => break,
+                    after => trace = after,
+                }
+            }
+            let crossing = Crossing {
+                trace,
+                node: Some(death),
+                time: self.now,
+            };
+            self.leave(side, &crossing);
+        }
     }
 
     /// Whether a ridge of one height has length zero.
@@ -580,9 +715,9 @@ impl<'c, 'a> Merge<'c, 'a> {
         let here = self.chains.place_of(self.node);
         let [i, _] = self.planes();
         let at = |cursor: &Cursor| {
-            self.chains.place_at(cursor, &self.now).is_some_and(|place| {
-                self.chains.planes.compare_along(&place, &here, i).is_eq()
-            })
+            self.chains
+                .place_at(cursor, &self.now)
+                .is_some_and(|place| self.chains.planes.compare_along(&place, &here, i).is_eq())
         };
         exit.upper.is_some() && at(&self.upper) || exit.lower.is_some() && at(&self.lower)
     }
@@ -730,9 +865,15 @@ impl<'c, 'a> Merge<'c, 'a> {
 
     /// To the face beyond a trace, which ends here; what comes later was never there.
     fn pass(&mut self, side: Side, crossing: &Crossing, now: Time) {
-        let cursor = self.chains.enter(side, crossing.trace, &now);
+        let wave = self.cursor(side).wave;
+        self.left[wave as usize] = true;
+        let mut cursor = self.chains.enter(side, crossing.trace, &now);
+        cursor.west = crossing.trace;
         let mut later = self.chains.after(side, crossing.trace);
-        self.chains.front.trace_mut(TraceId::raw(crossing.trace)).end = End::At(self.node);
+        self.chains
+            .front
+            .trace_mut(TraceId::raw(crossing.trace))
+            .end = End::At(self.node);
         while later != NONE {
             self.chains.steps += 1;
             self.void(later);
@@ -777,6 +918,13 @@ impl<'c, 'a> Merge<'c, 'a> {
         let rays = [self.upper, self.lower].map(|cursor| self.chains.waves[cursor.wave as usize]);
         if rays[0].start != NONE || rays[1].end != NONE {
             return self.trouble();
+        }
+        if !self.chains.planes.is_unweighted() {
+            let [i, k] = self.planes();
+            let (mut upper, mut lower) = (self.upper, self.lower);
+            let end = self.chains.time_of(east);
+            self.check_west(&mut upper, k, &end, false)?;
+            self.check_west(&mut lower, i, &end, false)?;
         }
         self.stretch(Course::Backward, east);
         self.append_upper(rays[0].head);

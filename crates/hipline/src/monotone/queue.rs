@@ -85,9 +85,7 @@ impl Queue {
         exact: &impl Fn(u32, u32) -> Ordering,
     ) -> bool {
         self.comparisons += 1;
-        a.0.compare(b.0)
-            .unwrap_or_else(|| exact(a.1, b.1))
-            .is_lt()
+        a.0.compare(b.0).unwrap_or_else(|| exact(a.1, b.1)).is_lt()
     }
 
     fn sift_up(&mut self, mut i: usize, exact: &impl Fn(u32, u32) -> Ordering) {

@@ -104,9 +104,9 @@ impl Chains<'_> {
         self.front.trace_mut(x).end = End::Ghost;
         self.front.trace_mut(x).after_up = Walk::Down(x);
         let (first, last) = (self.waves[a], self.waves[b]);
-        let boundary = match side {
-            Side::Lower => last.end,
-            Side::Upper => first.start,
+        let (boundary, western) = match side {
+            Side::Lower => (last.end, first.start),
+            Side::Upper => (first.start, last.end),
         };
         let join = self.joins.len() as u32;
         self.joins.push(Join {
@@ -114,6 +114,7 @@ impl Chains<'_> {
             west: west as u32,
             east: east as u32,
             boundary,
+            western,
             before: self.waves[east].last_join,
         });
         self.waves[west].joined = join;
