@@ -135,6 +135,8 @@ pub enum EngineArg {
     Auto,
     /// The kinetic triangulation
     Kinetic,
+    /// Orthogonal monotone polygons, in linear time
+    Orthogonal,
 }
 
 impl From<EngineArg> for Engine {
@@ -142,6 +144,7 @@ impl From<EngineArg> for Engine {
         match engine {
             EngineArg::Auto => Self::Auto,
             EngineArg::Kinetic => Self::Kinetic,
+            EngineArg::Orthogonal => Self::Orthogonal,
         }
     }
 }

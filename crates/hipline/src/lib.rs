@@ -6,6 +6,7 @@
 //! topology/    ids                               reads no coordinate
 //! engine/      which engine applies
 //! kinetic/     the kinetic triangulation engine (Aichholzer & Aurenhammer 1996)
+//! orthogonal/  the engine for orthogonal monotone polygons (Eder, Held & Palfrader 2019)
 //! wavefront/   what an engine leaves behind
 //! skeleton/    nodes, arcs, faces, verify        the only way out
 //! offset/      the wavefront at given distances
@@ -20,6 +21,7 @@ pub mod input;
 mod kinetic;
 pub mod observe;
 pub mod offset;
+mod orthogonal;
 mod predicates;
 pub mod roof;
 pub mod skeleton;

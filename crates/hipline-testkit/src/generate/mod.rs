@@ -3,12 +3,14 @@
 mod family;
 mod grid;
 mod maze;
+mod orthogonal;
 mod random;
 mod shapes;
 mod small;
 mod weighted;
 
 pub use family::Family;
+pub use orthogonal::{Columns, columns, orthogonal, subdivide};
 pub use random::Random;
 pub use small::{Kind, small, small_of, weigh};
 pub use weighted::{Weights, change_speeds, small_weighted};
