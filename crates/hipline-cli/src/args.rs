@@ -135,6 +135,10 @@ pub enum EngineArg {
     Auto,
     /// The kinetic triangulation
     Kinetic,
+    /// Monotone polygons with positive speeds
+    Monotone,
+    /// Orthogonal monotone polygons, in linear time
+    Orthogonal,
 }
 
 impl From<EngineArg> for Engine {
@@ -142,6 +146,8 @@ impl From<EngineArg> for Engine {
         match engine {
             EngineArg::Auto => Self::Auto,
             EngineArg::Kinetic => Self::Kinetic,
+            EngineArg::Monotone => Self::Monotone,
+            EngineArg::Orthogonal => Self::Orthogonal,
         }
     }
 }

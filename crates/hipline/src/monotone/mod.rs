@@ -61,7 +61,7 @@ pub(crate) fn skeleton(figure: &Figure, region: Region) -> Result<Skeleton, NotA
     let starts = split::split(monotone, figure.vertices().len());
     let faces = 2 * figure.edges().len();
     let mut chains = Chains::new(&planes, figure.vertices(), faces, &starts);
-    merge_chains(&mut chains, &starts).map_err(|Trouble(plane)| NotApplicable::Speed {
+    merge_chains(&mut chains, &starts).map_err(|Trouble(plane)| NotApplicable::RunsAhead {
         edge: EdgeId::new((plane.0 >> 1) as usize),
     })?;
     let stats = Stats {
