@@ -139,6 +139,10 @@ pub enum EngineArg {
     Auto,
     /// The kinetic triangulation
     Kinetic,
+    /// Monotone polygons with positive speeds
+    Monotone,
+    /// Orthogonal monotone polygons, in linear time
+    Orthogonal,
 }
 
 impl From<EngineArg> for Engine {
@@ -146,6 +150,8 @@ impl From<EngineArg> for Engine {
         match engine {
             EngineArg::Auto => Self::Auto,
             EngineArg::Kinetic => Self::Kinetic,
+            EngineArg::Monotone => Self::Monotone,
+            EngineArg::Orthogonal => Self::Orthogonal,
         }
     }
 }

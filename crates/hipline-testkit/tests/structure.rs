@@ -59,6 +59,16 @@ fn absent(folder: &str, words: &[&str]) {
     );
 }
 
+/// The same for one file.
+fn absent_in(file: &str, words: &[&str]) {
+    let path = repository().join("crates").join(file);
+    let text = fs::read_to_string(&path).expect("text");
+    let found: Vec<_> = code(&text)
+        .filter(|(_, line)| words.iter().any(|word| line.contains(word)))
+        .collect();
+    assert!(found.is_empty(), "{words:?} in {file}: {found:?}");
+}
+
 #[test]
 fn dependencies_point_one_way() {
     absent("hipline-num/src", &["hipline::", "spade", "robust"]);
@@ -72,6 +82,27 @@ fn dependencies_point_one_way() {
         &["kinetic", "skeleton::{", "offset::", "roof::", "observe::"],
     );
     absent("hipline/src/kinetic", &["offset::", "roof::", "observe::"]);
+    absent(
+        "hipline/src/monotone",
+        &[
+            "kinetic::",
+            "orthogonal::",
+            "offset::",
+            "roof::",
+            "observe::",
+        ],
+    );
+    absent(
+        "hipline/src/orthogonal",
+        &[
+            "kinetic::",
+            "predicates::",
+            "wavefront::",
+            "offset::",
+            "roof::",
+            "observe::",
+        ],
+    );
     absent(
         "hipline/src/skeleton",
         &["kinetic::", "offset::", "roof::", "observe::"],
@@ -101,9 +132,28 @@ fn dependencies_point_one_way() {
 #[test]
 fn decisions_know_no_tolerance() {
     absent(
+        "hipline/src/monotone",
+        &["f64::EPSILON", "sqrt", ".abs()", "1e-", "as f64"],
+    );
+    absent(
         "hipline/src/kinetic",
         &["f64::EPSILON", "sqrt", ".abs()", "1e-"],
     );
+    // Nor a logarithm (nor what sorts or searches in logarithmic time) where everything is linear.
+    for file in ["chain", "graph", "merge", "result", "ring", "runs"] {
+        absent_in(
+            &format!("hipline/src/orthogonal/{file}.rs"),
+            &[
+                "sort",
+                "binary_search",
+                "BTree",
+                ".log",
+                "sqrt",
+                ".abs()",
+                "partition_point",
+            ],
+        );
+    }
     for folder in ["hipline/src", "hipline-io/src"] {
         absent(
             folder,
@@ -148,6 +198,8 @@ fn nothing_depends_on_hash_order_or_clocks() {
     for folder in [
         "engine",
         "kinetic",
+        "monotone",
+        "orthogonal",
         "wavefront",
         "lift",
         "predicates",

@@ -6,6 +6,8 @@
 //! topology/    ids                               reads no coordinate
 //! engine/      which engine applies
 //! kinetic/     the kinetic triangulation engine (Aichholzer & Aurenhammer 1996)
+//! monotone/    the engine for monotone polygons, and chains (Biedl and others 2015)
+//! orthogonal/  the engine for orthogonal monotone polygons (Eder, Held & Palfrader 2019)
 //! wavefront/   what an engine leaves behind
 //! skeleton/    nodes, arcs, faces, verify        the only way out
 //! lift/        from the result back to the planes
@@ -21,9 +23,11 @@ pub mod engine;
 pub mod input;
 mod kinetic;
 mod lift;
+mod monotone;
 pub mod motorcycle;
 pub mod observe;
 pub mod offset;
+mod orthogonal;
 mod predicates;
 pub mod roof;
 pub mod skeleton;

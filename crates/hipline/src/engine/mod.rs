@@ -1,12 +1,11 @@
 //! Which engine computes a skeleton.
 //!
 //! All engines give the same result, arc for arc and bit for bit; they differ in what they apply to and
-//! in what they cost. Each one hands a [`Wavefront`](crate::wavefront) to the assembly of the
-//! result, and knows nothing of the others.
+//! in what they cost. Each one knows nothing of the others.
 
 use crate::{
     input::Figure,
-    kinetic,
+    kinetic, monotone, orthogonal,
     skeleton::{Options, Region, Skeleton},
     topology::EdgeId,
 };
@@ -20,6 +19,12 @@ pub enum Engine {
     Auto,
     /// The kinetic triangulation (Aichholzer & Aurenhammer 1996). Applies to everything.
     Kinetic,
+    /// Two chains and their merge (Biedl and others, 2015). Applies to the inside of monotone
+    /// polygons, with positive speeds.
+    Monotone,
+    /// Skeletons of two chains, merged (Eder, Held & Palfrader 2019), in linear time. Applies to the inside of one polygon without
+    /// holes that is monotone and whose edges are parallel to the axes and of speed 1.
+    Orthogonal,
 }
 
 /// Why an engine does not apply to a figure.
@@ -41,10 +46,28 @@ pub enum NotApplicable {
         /// The edge, as the figure numbers them.
         edge: EdgeId,
     },
+    /// The ring is monotone in no direction, or touches itself.
+    #[error("the polygon is not monotone in any direction")]
+    NotMonotone,
+    /// Speeds let one of a polygon's two chains run over what the other one has cut off.
+    #[error("with these speeds, the chain of edge {} gets ahead of what the other chain cut off", .edge.index())]
+    RunsAhead {
+        /// An edge there, as the figure numbers them.
+        edge: EdgeId,
+    },
+    /// An edge is not parallel to an axis.
+    #[error("edge {} is not parallel to an axis", .edge.index())]
+    NotOrthogonal {
+        /// The edge, as the figure numbers them.
+        edge: EdgeId,
+    },
     /// A vertex has a height.
     #[error("the figure has heights")]
     Heights,
 }
+
+/// From this number of edges on, the engine for monotone polygons is the faster one: see `docs/engines.md`.
+const MONOTONE_PAYS: usize = 4;
 
 impl Figure {
     /// The straight skeleton, by the fastest engine that applies.
@@ -54,9 +77,17 @@ impl Figure {
     ///
     /// # Complexity
     /// O(n) memory; about n log n time on ordinary input, O(n^3 log n) at worst (Lemma 5 of Aichholzer & Aurenhammer 1996).
+    /// O(n log n) time for [`Engine::Monotone`], O(n) for [`Engine::Orthogonal`].
     #[must_use]
     pub fn skeleton(&self, options: Options) -> Skeleton {
-        kinetic::skeleton(self, self.region(options))
+        let region = self.region(options);
+        match orthogonal::applies(self, region) {
+            Ok(monotone) => orthogonal::skeleton(self, monotone),
+            Err(_) if self.edges().len() >= MONOTONE_PAYS => {
+                monotone::skeleton(self, region).unwrap_or_else(|_| kinetic::skeleton(self, region))
+            }
+            Err(_) => kinetic::skeleton(self, region),
+        }
     }
 
     /// The straight skeleton by the engine of one's choice. It is the same, bit for bit up to the order of nodes and
@@ -66,7 +97,13 @@ impl Figure {
     /// If the engine does not apply to this figure: why.
     pub fn skeleton_by(&self, engine: Engine, options: Options) -> Result<Skeleton, NotApplicable> {
         match engine {
-            Engine::Auto | Engine::Kinetic => Ok(kinetic::skeleton(self, self.region(options))),
+            Engine::Auto => Ok(self.skeleton(options)),
+            Engine::Kinetic => Ok(kinetic::skeleton(self, self.region(options))),
+            Engine::Monotone => monotone::skeleton(self, self.region(options)),
+            Engine::Orthogonal => {
+                let monotone = orthogonal::applies(self, self.region(options))?;
+                Ok(orthogonal::skeleton(self, monotone))
+            }
         }
     }
 

@@ -9,6 +9,8 @@ pub struct Stats {
     pub split_events: u64,
     /// Flips of spokes.
     pub flips: u64,
+    /// Elementary steps of an engine without a queue: arcs drawn and arcs looked at.
+    pub steps: u64,
     /// Decisions answered by f64 with a proven error bound.
     pub by_f64: u64,
     /// Decisions answered by double-double with a proven error bound.
