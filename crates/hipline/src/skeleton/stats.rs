@@ -27,6 +27,7 @@ impl Stats {
         self.edge_events += other.edge_events;
         self.split_events += other.split_events;
         self.flips += other.flips;
+        self.steps += other.steps;
         self.by_f64 += other.by_f64;
         self.by_double_double += other.by_double_double;
         self.by_wide += other.by_wide;
