@@ -3,6 +3,8 @@
 //! Invariant: what leaves this module is a sign, an order or a correctly rounded number for
 //! output; [`Bounds`] only ever saves asking.
 
+mod clearance;
+mod coplanar;
 mod decide;
 mod eaves;
 mod expression;

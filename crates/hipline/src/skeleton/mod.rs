@@ -10,4 +10,4 @@ pub(crate) use assemble::assemble;
 pub use heights::ReachedEarly;
 pub use model::{Arc, ArcKind, Face, InputGraph, Node, NodeKind, Options, Region, Side, Skeleton};
 pub use stats::Stats;
-pub use verify::{Violation, Violations};
+pub use verify::{Uncertified, Violation, Violations};

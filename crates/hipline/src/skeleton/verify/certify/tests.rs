@@ -1,0 +1,1 @@
+//! Tracks that are wrong on purpose.
