@@ -5,6 +5,7 @@
 //! result, and knows nothing of the others.
 
 use crate::{
+    envelope,
     input::Figure,
     kinetic,
     skeleton::{Options, Region, Skeleton},
@@ -20,6 +21,9 @@ pub enum Engine {
     Auto,
     /// The kinetic triangulation (Aichholzer & Aurenhammer 1996). Applies to everything.
     Kinetic,
+    /// The lower envelope of the slabs of edges and motorcycles (Mencil 2014). Applies to the inside of polygons
+    /// with unit speeds and without heights.
+    Envelope,
 }
 
 /// Why an engine does not apply to a figure.
@@ -67,6 +71,7 @@ impl Figure {
     pub fn skeleton_by(&self, engine: Engine, options: Options) -> Result<Skeleton, NotApplicable> {
         match engine {
             Engine::Auto | Engine::Kinetic => Ok(kinetic::skeleton(self, self.region(options))),
+            Engine::Envelope => envelope::skeleton(self, self.region(options)),
         }
     }
 

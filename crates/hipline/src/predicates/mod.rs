@@ -18,6 +18,7 @@ mod phases;
 mod place;
 mod planes;
 mod relation;
+mod ramp;
 mod root;
 mod rough;
 mod speeds;
