@@ -8,6 +8,7 @@
 //! kinetic/     the kinetic triangulation engine (Aichholzer & Aurenhammer 1996)
 //! wavefront/   what an engine leaves behind
 //! skeleton/    nodes, arcs, faces, verify        the only way out
+//! motorcycle/  motorcycle graphs
 //! offset/      the wavefront at given distances
 //! centreline/  the approximate medial axis
 //! roof/        the skeleton lifted to a surface
@@ -19,7 +20,7 @@ pub mod engine;
 mod envelope;
 pub mod input;
 mod kinetic;
-mod motorcycle;
+pub mod motorcycle;
 pub mod observe;
 pub mod offset;
 mod predicates;

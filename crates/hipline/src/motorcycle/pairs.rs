@@ -3,16 +3,31 @@
 use super::{
     encounter::{Window, encounter},
     race::{Field, Found, Ground, Step},
-    walls::Edges,
+    walls::{Edges, Segment},
 };
 
-/// Everybody looks at everybody and at every edge.
-pub(super) struct AllPairs<'a>(pub Edges<'a>);
+/// What stands still.
+pub(super) enum Standing<'a> {
+    Edges(Edges<'a>),
+    Walls(Vec<Segment>),
+}
+
+/// Everybody looks at everybody and at all that stands still.
+pub(super) struct AllPairs<'a>(pub Standing<'a>);
 
 impl Ground for AllPairs<'_> {
     fn start(&mut self, field: &Field, who: u32, _: &[u32], found: &mut Found) {
-        for edge in 0..self.0.figure().edges().len() {
-            self.0.hits(field, who, edge, found);
+        match &self.0 {
+            Standing::Edges(edges) => {
+                for edge in 0..edges.figure().edges().len() {
+                    edges.hits(field, who, edge, found);
+                }
+            }
+            Standing::Walls(walls) => {
+                for wall in walls {
+                    found.hits.extend(wall.hit(field, who, 0));
+                }
+            }
         }
         for other in 0..who {
             encounter(field, other, who, Window::ALL, found);

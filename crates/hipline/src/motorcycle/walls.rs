@@ -137,49 +137,45 @@ pub(super) struct Segment {
 }
 
 impl Segment {
-    /// Finds where a motorcycle gets to the wall. It does not see a wall on which it starts, but if it runs along it.
-    pub(super) fn hits(&self, field: &Field, who: u32, cell: u32, found: &mut Found) {
+    /// Where a motorcycle gets to the wall. It does not see a wall on which it starts, unless it runs
+    /// along it.
+    pub(super) fn hit(&self, field: &Field, who: u32, cell: u32) -> Option<Hit> {
         let track = &field.tracks[who as usize];
         let pair = track.pair;
         let sides = self.ends.map(|end| field.planes.side_of_path(end, pair));
-        let on = Obstacle::Wall(self.line);
-        let mut add = |place: Place, bounds: Bounds| {
-            found.hits.push(Hit {
-                who,
-                on,
-                place,
-                bounds,
-                cell,
-            })
-        };
-        match sides[0] * sides[1] {
-            Sign::Positive => {}
-            Sign::Zero if sides == [Sign::Zero; 2] => {
-                let places = self.posts.map(|post| Place::On {
-                    pair,
-                    rail: Rail::Edge(post),
-                });
-                let bounds = places.map(|place| field.planes.time_bounds(&place));
-                let near = usize::from(
-                    field
-                        .compare((&places[0], bounds[0]), (&places[1], bounds[1]))
-                        .is_gt(),
-                );
-                if let Some(bounds) = ahead(field, who, places[near]) {
-                    add(places[near], bounds);
-                } else if ahead(field, who, places[1 - near]).is_some() {
-                    add(track.start, field.starts[who as usize]);
-                }
-            }
+        let (place, bounds) = match sides[0] * sides[1] {
+            Sign::Positive => return None,
+            Sign::Zero if sides == [Sign::Zero; 2] => self.hit_along(field, who)?,
             _ => {
-                let place = Place::On {
-                    pair,
-                    rail: Rail::Edge(self.line),
-                };
-                if let Some(bounds) = ahead(field, who, place) {
-                    add(place, bounds);
-                }
+                let rail = Rail::Edge(self.line);
+                let place = Place::On { pair, rail };
+                (place, ahead(field, who, place)?)
             }
+        };
+        Some(Hit {
+            who,
+            on: Obstacle::Wall(self.line),
+            place,
+            bounds,
+            cell,
+        })
+    }
+
+    /// The same of a wall along the path.
+    fn hit_along(&self, field: &Field, who: u32) -> Option<(Place, Bounds)> {
+        let track = &field.tracks[who as usize];
+        let pair = track.pair;
+        let places = self.posts.map(|post| Place::On {
+            pair,
+            rail: Rail::Edge(post),
+        });
+        let bounds = places.map(|place| field.planes.time_bounds(&place));
+        let order = field.compare((&places[0], bounds[0]), (&places[1], bounds[1]));
+        let near = usize::from(order.is_gt());
+        if let Some(bounds) = ahead(field, who, places[near]) {
+            return Some((places[near], bounds));
         }
+        ahead(field, who, places[1 - near])?;
+        Some((track.start, field.starts[who as usize]))
     }
 }

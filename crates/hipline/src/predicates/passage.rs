@@ -15,6 +15,7 @@ use super::{
     moment::Bounds,
     place::{Place, Point, point},
     planes::{PlaneId, Planes, Rung},
+    rough::known,
 };
 
 /// A line that stands still.
@@ -192,6 +193,23 @@ fn bounds(t: &Ball) -> Bounds {
 }
 
 impl Lane {
+    /// On which side of the path a point is, if f64 can tell: the left is positive.
+    #[inline]
+    pub(crate) fn side(&self, [x, y]: &[Rough; 2]) -> Option<Sign> {
+        let ahead = self.y[1].times(x).minus(&self.x[1].times(y));
+        self.z.minus(&ahead).sign()
+    }
+
+    /// When the vertex passes the line through two points.
+    pub(crate) fn pass(&self, p: &[Rough; 2], q: &[Rough; 2]) -> Bounds {
+        let [u, v] = [p[1].minus(&q[1]), q[0].minus(&p[0])];
+        let z = u.times(&p[0]).plus(&v.times(&p[1]));
+        let here = u.times(&self.x[0]).plus(&v.times(&self.y[0]));
+        let speed = u.times(&self.x[1]).plus(&v.times(&self.y[1]));
+        let time = z.times(&self.m).minus(&here);
+        bounds(&time.ball().div(&speed.ball()))
+    }
+
     /// Where two paths cross.
     pub(crate) fn cross(&self, o: &Self) -> Crossing {
         // The line of a path is y1 x - x1 y = z.
@@ -220,6 +238,15 @@ impl Planes {
         let Path { x, y, m } = Path::<Rough>::new(self, pair);
         let [_, _, z] = line::<Rough>(self, Rail::Path(pair));
         Lane { x, y, m, z }
+    }
+
+    /// A vertex of the input, roughly.
+    pub(crate) fn rough_vertex(&self, vertex: [f64; 2]) -> [Rough; 2] {
+        [0, 1].map(|k| {
+            let from_origin = Ball::from_f64(vertex[k]).minus(&Ball::from_f64(self.origin[k]));
+            let near = from_origin.ldexp(-(self.unit + self.shift)).value();
+            Rough::near(known(near, from_origin.value() == 0.0))
+        })
     }
 
     /// Bounds of the time of a place that is none of a ghost arc.

@@ -128,7 +128,7 @@ pub(crate) struct Planes {
     /// How often each rung answered.
     pub rungs: Cell<Rungs>,
     /// The root asked for last: several questions are asked of one moment.
-    last_root: Last<[Corner; 3], Ball>,
+    pub(super) last_root: Last<[Corner; 3], Ball>,
     /// The same of the meeting.
     pub(super) last_meeting: Last<[PlaneId; 3], (Rough, Rough)>,
 }
@@ -329,7 +329,7 @@ pub(super) fn nearest(value: &BallDd) -> Ball {
 }
 
 /// Coordinates with up to this many binary digits are asked for in i128 before double-double.
-const GRID: i32 = 32;
+pub(super) const GRID: i32 = 32;
 
 /// Coordinates with up to this many binary digits take the path of machine integers.
 const SMALL: i32 = 60;

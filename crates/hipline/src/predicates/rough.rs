@@ -33,7 +33,7 @@ const fn exponent(value: f64) -> i32 {
 }
 
 /// The number to make a [`Rough`] of, NaN if it is too small; whether it is zero is known apart.
-fn known(value: f64, zero: bool) -> f64 {
+pub(super) fn known(value: f64, zero: bool) -> f64 {
     if zero || value.abs() >= Rough::LEAST {
         value
     } else {

@@ -76,3 +76,16 @@ id!(
     /// A wavefront vertex; its trace is an arc.
     pub(crate) TraceId, "x"
 );
+
+id!(
+    /// A motorcycle of a motorcycle graph.
+    pub MotorcycleId, "m"
+);
+id!(
+    /// A meeting of motorcycles.
+    pub MeetingId, "j"
+);
+id!(
+    /// A wall that stops motorcycles.
+    pub WallId, "b"
+);
