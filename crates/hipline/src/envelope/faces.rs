@@ -11,7 +11,7 @@ use super::{
     slabs::sorted,
 };
 use crate::{
-    motorcycle::Crash,
+    motorcycle::tracks::Crash,
     predicates::{Place, PlaneId},
 };
 use std::cmp::Ordering;

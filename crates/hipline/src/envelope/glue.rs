@@ -7,7 +7,7 @@ use super::{
     profile::{Chart, Piece},
 };
 use crate::{
-    motorcycle::{Crash, Origin},
+    motorcycle::tracks::{Crash, Origin},
     predicates::{Place, PlaneId},
     topology::{TraceId, WaveId},
     wavefront::{End, EventNode, Trace, Walk, Wave, Wavefront},

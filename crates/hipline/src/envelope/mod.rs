@@ -13,7 +13,7 @@ mod slabs;
 use crate::{
     engine::NotApplicable,
     input::Figure,
-    motorcycle::{self, Tracks},
+    motorcycle::{self, tracks::Tracks},
     predicates::{PlaneId, Planes},
     skeleton::{Region, Skeleton, Stats, assemble},
 };

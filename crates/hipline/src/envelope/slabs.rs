@@ -6,7 +6,7 @@
 
 use super::Envelope;
 use crate::{
-    motorcycle::{Crash, Origin},
+    motorcycle::tracks::{Crash, Origin},
     predicates::{Bound, Place, PlaneId, Start},
 };
 use hipline_num::Sign;

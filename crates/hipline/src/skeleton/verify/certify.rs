@@ -20,7 +20,7 @@ use super::{
 use crate::{
     engine::NotApplicable,
     input::Figure,
-    motorcycle::{self, Origin, Track, Tracks},
+    motorcycle::{self, tracks::{Origin, Track, Tracks}},
     predicates::{Place, PlaneId, Planes, Spot, Track as Border},
     skeleton::{ArcKind, Region, Skeleton},
     topology::{ArcId, FaceId, VertexId},
