@@ -202,10 +202,10 @@ impl Envelope<'_> {
         let chart = Along(self, PlaneId(face));
         let mut part = Vec::with_capacity(list.len());
         for mut piece in list {
-            if chart.order(&piece.from, &left).is_lt() {
+            if chart.order(&piece.from, &left).is_le() {
                 piece.from = left;
             }
-            if chart.order(&piece.to, &right).is_gt() {
+            if chart.order(&piece.to, &right).is_ge() {
                 piece.to = right;
             }
             if chart.order(&piece.from, &piece.to).is_lt() {

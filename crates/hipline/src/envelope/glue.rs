@@ -4,7 +4,7 @@
 use super::{
     Envelope,
     faces::{Along, Outline, Side},
-    profile::{Chart, Piece},
+    profile::{Chart, Meet, Piece},
 };
 use crate::{
     motorcycle::tracks::{Crash, Origin},
@@ -157,9 +157,24 @@ impl Envelope<'_> {
                     }
                 }
             }
+            self.name_corners(&mut joint);
             joints.push(joint);
         }
         joints
+    }
+
+    /// Where one stretch of an upper boundary follows another, three planes meet; what a merge of envelopes left there may be
+    /// the end of something hidden, straight above.
+    fn name_corners(&self, joint: &mut Joint) {
+        let chart = Along(self, PlaneId(joint.members[0]));
+        for i in 1..joint.upper.len() {
+            let [a, b] = [i - 1, i].map(|k| joint.upper[k].of);
+            let Meet::At(place, _) = chart.meet(a, b) else {
+                panic!("the boundary of face {} jumps", joint.members[0]);
+            };
+            joint.upper[i - 1].to = place;
+            joint.upper[i].from = place;
+        }
     }
 
     /// Finds the arcs: the stretches on which two joint faces agree that they border on each other.

@@ -65,6 +65,7 @@ fn build(figure: &Figure, planes: Planes, tracks: Tracks) -> Skeleton {
     let mut outlines: Vec<Option<Outline>> = vec![None; envelope.sources.len()];
     for &face in &faces {
         let outline = envelope.outline(face, &faces);
+        if std::env::var_os("ENVDBG").is_some() { eprintln!("{face}: {:?} {:?}", outline.sides, outline.valleys); for p in &outline.upper { eprintln!("   {} {:?} {:?}", p.of, envelope.planes.round(&p.from), envelope.planes.round(&p.to)); } }
         outlines[face as usize] = Some(outline);
     }
     let front = envelope.glue(outlines);
