@@ -135,6 +135,8 @@ pub enum EngineArg {
     Auto,
     /// The kinetic triangulation
     Kinetic,
+    /// The lower envelope of slabs; for the inside of polygons with unit speeds
+    Envelope,
 }
 
 impl From<EngineArg> for Engine {
@@ -142,6 +144,7 @@ impl From<EngineArg> for Engine {
         match engine {
             EngineArg::Auto => Self::Auto,
             EngineArg::Kinetic => Self::Kinetic,
+            EngineArg::Envelope => Self::Envelope,
         }
     }
 }

@@ -5,9 +5,11 @@
 //! motorcycles. So, given the motorcycle graph ([`motorcycle`](crate::motorcycle)), no wavefront has to be
 //! propagated.
 
+mod cells;
 mod faces;
 mod glue;
 mod profile;
+mod section;
 mod slabs;
 
 use crate::{
@@ -25,6 +27,14 @@ use slabs::Sources;
 struct Count {
     /// Pairs of slabs that were cut with each other.
     cuts: u64,
+    /// Cells, those that were cut among them.
+    cells: u64,
+    /// The largest number of cuts around a cell.
+    depth: u32,
+    /// The sum of the lengths of all lists of cells.
+    listed: u64,
+    /// Slabs restricted to cuts.
+    sections: u64,
     merging: profile::Count,
 }
 
@@ -61,13 +71,7 @@ pub(crate) fn skeleton(figure: &Figure, region: Region) -> Result<Skeleton, NotA
 fn build(figure: &Figure, planes: Planes, tracks: Tracks) -> Skeleton {
     let mut envelope = Envelope::new(figure, planes, tracks);
     envelope.find_slabs();
-    let faces = envelope.faces.clone();
-    let mut outlines: Vec<Option<Outline>> = vec![None; envelope.sources.len()];
-    for &face in &faces {
-        let outline = envelope.outline(face, &faces);
-        if std::env::var_os("ENVDBG").is_some() { eprintln!("{face}: {:?} {:?}", outline.sides, outline.valleys); for p in &outline.upper { eprintln!("   {} {:?} {:?}", p.of, envelope.planes.round(&p.from), envelope.planes.round(&p.to)); } }
-        outlines[face as usize] = Some(outline);
-    }
+    let outlines = envelope.outlines();
     let front = envelope.glue(outlines);
     let rungs = envelope.planes.rungs.get();
     let stats = Stats {
@@ -100,6 +104,34 @@ impl<'a> Envelope<'a> {
         let other = (envelope.faces.iter()).find(|&&f| !envelope.planes.turn(first, PlaneId(f)).is_zero());
         envelope.across = [first, PlaneId(*other.expect("a polygon has two directions"))];
         envelope
+    }
+
+    /// What is visible of each face, by the faces that may border on it.
+    fn outlines(&mut self) -> Vec<Option<Outline>> {
+        let pairs = self.candidates();
+        let mut first = vec![0_usize; self.sources.len() + 1];
+        for pair in &pairs {
+            for face in pair {
+                first[*face as usize + 1] += 1;
+            }
+        }
+        for i in 1..first.len() {
+            first[i] += first[i - 1];
+        }
+        let mut fill = first.clone();
+        let mut others = vec![0; 2 * pairs.len()];
+        for [f, g] in pairs {
+            for (own, other) in [(f, g), (g, f)] {
+                others[fill[own as usize]] = other;
+                fill[own as usize] += 1;
+            }
+        }
+        let mut outlines: Vec<Option<Outline>> = vec![None; self.sources.len()];
+        for face in self.faces.clone() {
+            let range = first[face as usize]..first[face as usize + 1];
+            outlines[face as usize] = Some(self.outline(face, &others[range]));
+        }
+        outlines
     }
 
     fn class(&self, plane: PlaneId) -> PlaneId {

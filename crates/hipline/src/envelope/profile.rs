@@ -160,3 +160,6 @@ fn merge<C: Chart>(
         };
     }
 }
+
+#[cfg(test)]
+mod tests;
