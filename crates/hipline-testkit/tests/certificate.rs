@@ -2,6 +2,7 @@
 
 mod common;
 
+use common::{count, field};
 use hipline::{Options, Region, skeleton::Uncertified};
 use hipline_testkit::generate::{Kind, small_of};
 
@@ -16,17 +17,6 @@ const KINDS: [Kind; 8] = [
     Kind::Symmetric,
     Kind::Islands,
 ];
-
-fn count(release: u64, debug: u64) -> u64 {
-    let given = std::env::var("HIPLINE_CASES").ok();
-    given
-        .and_then(|count| count.parse().ok())
-        .unwrap_or(if cfg!(debug_assertions) {
-            debug
-        } else {
-            release
-        })
-}
 
 #[test]
 fn small_polygons_are_certified() {
@@ -47,4 +37,17 @@ fn small_polygons_are_certified() {
     }
     assert!(wrong.is_empty(), "{}", wrong.join("\n\n"));
     assert!(certified > count(20_000, 800) / 2, "only {certified}");
+}
+
+#[test]
+fn polygons_from_the_field_are_certified() {
+    let mut wrong = Vec::new();
+    for case in field(count(2000, 100) as usize, 3) {
+        let figure = case.figure().expect("it was one before");
+        let skeleton = figure.skeleton(Options::default().region(Region::Interior));
+        if let Err(other) = skeleton.certify(&figure) {
+            wrong.push(format!("{other}\n{}", case.to_text()));
+        }
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n\n"));
 }

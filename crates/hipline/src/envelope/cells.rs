@@ -207,7 +207,8 @@ impl Envelope<'_> {
                 .map(|half| self.list(half, segments, members).len())
                 .max()
                 .unwrap_or_default();
-            let is_shorter = longest * 16 <= list.len() * 15 || !cell.sources.is_empty() && longest < list.len();
+            let is_shorter =
+                longest * 16 <= list.len() * 15 || !cell.sources.is_empty() && longest < list.len();
             return is_shorter.then_some(halves);
         }
         None

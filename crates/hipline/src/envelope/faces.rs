@@ -29,7 +29,11 @@ impl Along<'_, '_> {
                 let moment = self.0.level(e, other);
                 let third = moment.into_iter().find(|&k| k != e && k != other);
                 let third = third.expect("a third plane");
-                let pair = self.0.planes.turning_left([e, third]).expect("it is across");
+                let pair = self
+                    .0
+                    .planes
+                    .turning_left([e, third])
+                    .expect("it is across");
                 Place::Event { pair, moment }
             }
         }
@@ -50,7 +54,10 @@ impl Chart for Along<'_, '_> {
         let (Some(pair), true) = (pairs[0].or(pairs[1]), planes.do_meet([e, a, b])) else {
             return Meet::Never(planes.ahead(&self.sample(a), b));
         };
-        let place = Place::Event { pair, moment: sorted([e, a, b]) };
+        let place = Place::Event {
+            pair,
+            moment: sorted([e, a, b]),
+        };
         // How far the curve of a is ahead of b, going right.
         let gain = match pairs[0] {
             Some(pair) => -planes.closing([b, pair[0], pair[1]]) * planes.drift(pair, e),
@@ -132,7 +139,10 @@ impl Envelope<'_> {
         }
         for &number in &self.sources[face as usize].tracks[side] {
             let track = &self.tracks.motorcycles[number as usize];
-            let end = track.end.as_ref().expect("inside of polygons nobody escapes");
+            let end = track
+                .end
+                .as_ref()
+                .expect("inside of polygons nobody escapes");
             let x = self.class(track.pair[1 - side]);
             if let Some(top) = self.top(&chart, side, upper, [&track.start, end], x) {
                 let is_end = chart.order(&top, end).is_eq();
@@ -198,7 +208,12 @@ impl Envelope<'_> {
     }
 
     /// The part of an envelope between two places.
-    fn between(&self, face: u32, list: Vec<Piece<Place>>, [left, right]: [Place; 2]) -> Vec<Piece<Place>> {
+    fn between(
+        &self,
+        face: u32,
+        list: Vec<Piece<Place>>,
+        [left, right]: [Place; 2],
+    ) -> Vec<Piece<Place>> {
         let chart = Along(self, PlaneId(face));
         let mut part = Vec::with_capacity(list.len());
         for mut piece in list {
@@ -215,4 +230,3 @@ impl Envelope<'_> {
         part
     }
 }
-

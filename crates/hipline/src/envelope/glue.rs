@@ -124,7 +124,11 @@ impl Envelope<'_> {
 
     /// Puts faces on one plane that touch together.
     fn join(&self, outlines: &[Option<Outline>]) -> Vec<Joint> {
-        let outline = |face: u32| outlines[face as usize].as_ref().expect("a face of the inside");
+        let outline = |face: u32| {
+            outlines[face as usize]
+                .as_ref()
+                .expect("a face of the inside")
+        };
         let mut met = BTreeMap::new();
         for &face in &self.faces {
             if let Side::Met(meeting) = outline(face).sides[0] {
@@ -214,7 +218,11 @@ impl Envelope<'_> {
             let (mut i, mut j) = (0, 0);
             while i < own.len() && j < other.len() {
                 let (s, t) = (&own[i], &other[j]);
-                let from = if chart.order(&s.from, &t.from).is_ge() { s.from } else { t.from };
+                let from = if chart.order(&s.from, &t.from).is_ge() {
+                    s.from
+                } else {
+                    t.from
+                };
                 let ends = chart.order(&s.to, &t.to);
                 let to = if ends.is_le() { s.to } else { t.to };
                 if chart.order(&from, &to).is_lt() {
@@ -222,7 +230,12 @@ impl Envelope<'_> {
                     let part = |piece: u32, reversed: bool| {
                         let rank = arc - first as u32;
                         let rank = if reversed { u32::MAX - rank } else { rank };
-                        Part { piece, rank, arc, reversed }
+                        Part {
+                            piece,
+                            rank,
+                            arc,
+                            reversed,
+                        }
                     };
                     parts[s.joint as usize].push(part(s.piece, false));
                     parts[t.joint as usize].push(part(t.piece, reversed));
@@ -259,7 +272,10 @@ impl Envelope<'_> {
         let parts = [parts.first(), parts.last()];
         for side in 0..2 {
             let (Some(&face), Some(part)) = (sides[side], parts[side]) else {
-                panic!("the face of plane {:?} has no upper boundary", joint.members);
+                panic!(
+                    "the face of plane {:?} has no upper boundary",
+                    joint.members
+                );
             };
             let valleys = &outlines[face as usize].as_ref().expect("a face").valleys[side];
             let node = match valleys.last() {
@@ -280,8 +296,9 @@ impl Envelope<'_> {
         let members = &self.tracks.meetings[meeting as usize].members;
         let pair = |who: u32| self.tracks.motorcycles[who as usize].pair;
         let first = pair(members[0]);
-        let third = (members.iter().flat_map(|&who| pair(who)))
-            .find(|&plane| !first.contains(&plane) && self.planes.do_meet([first[0], first[1], plane]));
+        let third = (members.iter().flat_map(|&who| pair(who))).find(|&plane| {
+            !first.contains(&plane) && self.planes.do_meet([first[0], first[1], plane])
+        });
         let third = third.expect("different motorcycles meet in one point");
         EventNode {
             pair: first,
@@ -304,7 +321,9 @@ struct Builder<'a, 'b> {
 
 impl Builder<'_, '_> {
     fn outline(&self, face: u32) -> &Outline {
-        self.outlines[face as usize].as_ref().expect("a face of the inside")
+        self.outlines[face as usize]
+            .as_ref()
+            .expect("a face of the inside")
     }
 
     fn add_waves(&mut self) {
@@ -403,7 +422,11 @@ impl Builder<'_, '_> {
     fn walk_of(&self, track: u32, up: bool) -> Walk {
         let trace = self.of_track[track as usize]
             .unwrap_or_else(|| panic!("track {track} is visible from one side"));
-        if up { Walk::Up(trace) } else { Walk::Down(trace) }
+        if up {
+            Walk::Up(trace)
+        } else {
+            Walk::Down(trace)
+        }
     }
 
     /// Links the boundary of a joint face, counterclockwise.
@@ -426,7 +449,11 @@ impl Builder<'_, '_> {
             // It is walked up if the joint face is that of `inn`, on the left.
             let inn = self.front.wave(self.front.trace(trace).inn).face;
             let up = joint.members[0] == inn;
-            walks.push(if up { Walk::Up(trace) } else { Walk::Down(trace) });
+            walks.push(if up {
+                Walk::Up(trace)
+            } else {
+                Walk::Down(trace)
+            });
         }
         let left = self.outline(joint.members[0]).valleys[0].iter().rev();
         let left: Vec<Walk> = left.map(|&(track, _)| self.walk_of(track, false)).collect();

@@ -4,6 +4,15 @@
 //! By Theorem 2 of the thesis, the terrain of the straight skeleton is the lower envelope of the slabs of edges and
 //! motorcycles. So, given the motorcycle graph ([`motorcycle`](crate::motorcycle)), no wavefront has to be
 //! propagated.
+//!
+//! 1. [`slabs`]: sources and their slabs; the stretch on which two slabs meet.
+//! 2. [`cells`]: divide and conquer over the plan tells which faces may border on each other; [`section`] has the roof above a cut.
+//! 3. [`faces`]: what is visible of each face, a lower envelope seen along its edge ([`profile`]).
+//! 4. [`glue`]: the visible stretches, each named by two faces, become traces, linked into boundaries.
+//!
+//! Nothing is perturbed and no case is degenerate: all that is asked are the signs of planes at meetings of planes, as
+//! in the other engines. Where it departs from the thesis, and that its bound does not hold here, is told in [`cells`] and in
+//! `docs/engines.md`.
 
 mod cells;
 mod faces;
@@ -81,7 +90,14 @@ fn build(figure: &Figure, planes: Planes, tracks: Tracks) -> Skeleton {
         by_exact: rungs.by_exact,
         ..Stats::default()
     };
-    assemble(figure, &envelope.planes, &[], front, Region::Interior, stats)
+    assemble(
+        figure,
+        &envelope.planes,
+        &[],
+        front,
+        Region::Interior,
+        stats,
+    )
 }
 
 impl<'a> Envelope<'a> {
@@ -101,8 +117,12 @@ impl<'a> Envelope<'a> {
         };
         envelope.find_faces();
         let first = PlaneId(envelope.faces[0]);
-        let other = (envelope.faces.iter()).find(|&&f| !envelope.planes.turn(first, PlaneId(f)).is_zero());
-        envelope.across = [first, PlaneId(*other.expect("a polygon has two directions"))];
+        let other =
+            (envelope.faces.iter()).find(|&&f| !envelope.planes.turn(first, PlaneId(f)).is_zero());
+        envelope.across = [
+            first,
+            PlaneId(*other.expect("a polygon has two directions")),
+        ];
         envelope
     }
 

@@ -114,7 +114,11 @@ fn merge<C: Chart>(
                 (next_a, next_b) = (a.next(), Some(q));
                 continue;
             }
-            let alone = Piece { from: p.from, to: q.from.clone(), of: p.of };
+            let alone = Piece {
+                from: p.from,
+                to: q.from.clone(),
+                of: p.of,
+            };
             push(chart, &mut merged, alone);
             p.from = q.from.clone();
         } else if starts.is_gt() {
@@ -123,13 +127,21 @@ fn merge<C: Chart>(
                 (next_a, next_b) = (Some(p), b.next());
                 continue;
             }
-            let alone = Piece { from: q.from, to: p.from.clone(), of: q.of };
+            let alone = Piece {
+                from: q.from,
+                to: p.from.clone(),
+                of: q.of,
+            };
             push(chart, &mut merged, alone);
             q.from = p.from.clone();
         }
         // Both, as far as the first one ends.
         let ends = chart.order(&p.to, &q.to);
-        let to = if ends.is_le() { p.to.clone() } else { q.to.clone() };
+        let to = if ends.is_le() {
+            p.to.clone()
+        } else {
+            q.to.clone()
+        };
         let lower = |of: u32, from: C::Spot, to: C::Spot| Piece { from, to, of };
         let from = p.from.clone();
         if p.of == q.of {

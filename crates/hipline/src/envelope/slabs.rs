@@ -58,12 +58,19 @@ impl Envelope<'_> {
             let tracks = [0, 1].map(|side| self.chain(plane, side, first[face as usize][side]));
             let slab = |side: usize, number: u32| {
                 let track = &self.tracks.motorcycles[number as usize];
-                let end = track.end.as_ref().expect("inside of polygons nobody escapes");
+                let end = track
+                    .end
+                    .as_ref()
+                    .expect("inside of polygons nobody escapes");
                 let mut ends = [&track.start, end].map(start_of);
                 if side == 0 {
                     ends.reverse();
                 }
-                Slab { plane, ends, beside: Some(track.pair[1 - side]) }
+                Slab {
+                    plane,
+                    ends,
+                    beside: Some(track.pair[1 - side]),
+                }
             };
             let edge = &self.figure.edges()[face as usize / 2];
             let mut ends = [edge.from, edge.to].map(|v| Start::Vertex(vertices[v.index()]));
@@ -71,7 +78,11 @@ impl Envelope<'_> {
                 ends.reverse();
             }
             let mut slabs: Vec<Slab> = tracks[0].iter().rev().map(|&t| slab(0, t)).collect();
-            slabs.push(Slab { plane, ends, beside: None });
+            slabs.push(Slab {
+                plane,
+                ends,
+                beside: None,
+            });
             slabs.extend(tracks[1].iter().map(|&t| slab(1, t)));
             self.sources[face as usize] = Sources { tracks, slabs };
         }
@@ -123,17 +134,24 @@ impl Envelope<'_> {
                 if planes.compare_times(&low, &place).is_lt() {
                     low = place;
                 }
-            } else if high.as_ref().is_none_or(|high| planes.compare_times(&place, high).is_lt()) {
+            } else if high
+                .as_ref()
+                .is_none_or(|high| planes.compare_times(&place, high).is_lt())
+            {
                 high = Some(place);
             }
-            high.as_ref().is_none_or(|high| planes.compare_times(&low, high).is_lt())
+            high.as_ref()
+                .is_none_or(|high| planes.compare_times(&low, high).is_lt())
         };
         for (slab, beyond) in [(own, other.plane), (other, own.plane)] {
             if let Some(x) = slab.beside {
                 if self.class(x) == self.class(beyond) {
                     return None;
                 }
-                let place = || Place::Event { pair, moment: sorted([pair[0], pair[1], x]) };
+                let place = || Place::Event {
+                    pair,
+                    moment: sorted([pair[0], pair[1], x]),
+                };
                 match planes.closing([x, pair[0], pair[1]]) {
                     Sign::Zero if planes.lead_always(pair, x).is_positive() => return None,
                     Sign::Zero => {}
@@ -175,8 +193,13 @@ impl Envelope<'_> {
         };
         for slab in [own, other] {
             if let Some(x) = slab.beside {
-                let pair = planes.turning_left([e, x]).expect("a track has slanted planes");
-                let place = Place::Event { pair, moment: sorted([e, other.plane, x]) };
+                let pair = planes
+                    .turning_left([e, x])
+                    .expect("a track has slanted planes");
+                let place = Place::Event {
+                    pair,
+                    moment: sorted([e, other.plane, x]),
+                };
                 narrow(place, usize::from(planes.turn(e, x).is_negative()));
             }
             for side in 0..2 {

@@ -213,11 +213,18 @@ impl MotorcycleGraph {
     ///
     /// # Errors
     /// Every flaw of the input.
-    pub fn of_all_pairs(launches: &[Launch], walls: &[[[f64; 2]; 2]]) -> Result<Self, InvalidLaunch> {
+    pub fn of_all_pairs(
+        launches: &[Launch],
+        walls: &[[[f64; 2]; 2]],
+    ) -> Result<Self, InvalidLaunch> {
         Self::given(launches, walls, true)
     }
 
-    fn given(launches: &[Launch], walls: &[[[f64; 2]; 2]], all_pairs: bool) -> Result<Self, InvalidLaunch> {
+    fn given(
+        launches: &[Launch],
+        walls: &[[[f64; 2]; 2]],
+        all_pairs: bool,
+    ) -> Result<Self, InvalidLaunch> {
         let flaws = check(launches, walls);
         if !flaws.is_empty() {
             return Err(InvalidLaunch { flaws });
@@ -259,7 +266,12 @@ impl MotorcycleGraph {
             })
             .collect();
         let tracks = if all_pairs {
-            race::run(&planes, starters, AllPairs(Standing::Walls(segments)), false)
+            race::run(
+                &planes,
+                starters,
+                AllPairs(Standing::Walls(segments)),
+                false,
+            )
         } else {
             let grid = Grid::new(&motions, &segments, planes.rough_time_unit());
             race::run(&planes, starters, grid, false)

@@ -57,13 +57,22 @@ pub(super) struct Grid<'a> {
 
 impl<'a> Grid<'a> {
     pub(super) fn new(motions: &[Motion], walls: &'a [Segment], time_unit: i32) -> Self {
-        let places = || (motions.iter().map(|motion| motion.place)).chain(walls.iter().flat_map(|wall| wall.ends));
-        let fold = |k: usize, with: fn(f64, f64) -> f64| places().map(|p| p[k]).reduce(with).unwrap_or(0.0);
+        let places = || {
+            (motions.iter().map(|motion| motion.place))
+                .chain(walls.iter().flat_map(|wall| wall.ends))
+        };
+        let fold = |k: usize, with: fn(f64, f64) -> f64| {
+            places().map(|p| p[k]).reduce(with).unwrap_or(0.0)
+        };
         let low = [0, 1].map(|k| fold(k, f64::min));
         let high = [0, 1].map(|k| fold(k, f64::max));
         let width = (high[0] - low[0]).max(high[1] - low[1]);
         let count = ((motions.len() + walls.len()).isqrt()).clamp(1, MOST);
-        let size = if width > 0.0 { width / count as f64 } else { 1.0 };
+        let size = if width > 0.0 {
+            width / count as f64
+        } else {
+            1.0
+        };
         let mut grid = Self {
             walls,
             low,
@@ -120,7 +129,11 @@ impl<'a> Grid<'a> {
         for column in columns {
             // Where it is in this column, no further than its ends.
             let at = |x: f64| {
-                let part = if along[axis] == 0.0 { 0.0 } else { (x - p[axis]) / along[axis] };
+                let part = if along[axis] == 0.0 {
+                    0.0
+                } else {
+                    (x - p[axis]) / along[axis]
+                };
                 p[across] + along[across] * part.clamp(0.0, 1.0)
             };
             let [from, to] = [column as f64 - MARGIN, column as f64 + 1.0 + MARGIN].map(at);
@@ -161,7 +174,8 @@ impl<'a> Grid<'a> {
         };
         let lasts = [near, far].map(|x| when(x).max(0.0));
         let margin = MARGIN / speed.abs();
-        let [from, to] = [lasts[0] - margin, lasts[1] + margin].map(|t| ride.at[across] + ride.velocity[across] * t.max(0.0));
+        let [from, to] = [lasts[0] - margin, lasts[1] + margin]
+            .map(|t| ride.at[across] + ride.velocity[across] * t.max(0.0));
         let until = self.time(ride.time, lasts[1] + margin, 1.0);
         let (rows, leaves) = self.span(from, to);
         if leaves && !ride.outside {
@@ -176,7 +190,11 @@ impl<'a> Grid<'a> {
             let cell = self.index(axis, column, row);
             self.enter(field, who, cell, until, found);
         }
-        let next = if speed > 0.0 { Some(column + 1) } else { column.checked_sub(1) };
+        let next = if speed > 0.0 {
+            Some(column + 1)
+        } else {
+            column.checked_sub(1)
+        };
         match next.filter(|&next| next < self.count) {
             Some(next) => found.steps.push(Step {
                 low: self.time(ride.time, lasts[1] - margin, -1.0),
@@ -198,7 +216,11 @@ impl<'a> Grid<'a> {
         let slack = (start.abs() + after.abs()) * SLACK;
         let time = (start + after + way * slack) * self.time_scale;
         // Where f64 has no such number, the ground looks at everything.
-        if time.is_finite() { time } else { way * f64::INFINITY }
+        if time.is_finite() {
+            time
+        } else {
+            way * f64::INFINITY
+        }
     }
 }
 

@@ -119,7 +119,11 @@ impl MotorcycleGraph {
     }
 
     /// Rounds what was computed.
-    pub(super) fn of_tracks(planes: &Planes, tracks: &Tracks, wall: impl Fn(PlaneId) -> End) -> Self {
+    pub(super) fn of_tracks(
+        planes: &Planes,
+        tracks: &Tracks,
+        wall: impl Fn(PlaneId) -> End,
+    ) -> Self {
         let spot = |place: &Place| {
             let [x, y, time] = planes.round(place);
             Spot { x, y, time }

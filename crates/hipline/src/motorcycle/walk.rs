@@ -58,7 +58,11 @@ pub(super) struct Walks<'a> {
 }
 
 impl<'a> Walks<'a> {
-    pub(super) fn new(edges: Edges<'a>, sectors: &[Sector], planes: &crate::predicates::Planes) -> Self {
+    pub(super) fn new(
+        edges: Edges<'a>,
+        sectors: &[Sector],
+        planes: &crate::predicates::Planes,
+    ) -> Self {
         let figure = edges.figure();
         Self {
             sectors: (sectors.iter())
@@ -83,7 +87,9 @@ impl<'a> Walks<'a> {
         let lane = &field.lanes[who as usize];
         lane.side(&self.places[vertex]).unwrap_or_else(|| {
             let pair = field.tracks[who as usize].pair;
-            field.planes.side_of_path(self.edges.figure().vertices()[vertex], pair)
+            field
+                .planes
+                .side_of_path(self.edges.figure().vertices()[vertex], pair)
         })
     }
 
@@ -185,7 +191,11 @@ impl<'a> Walks<'a> {
                 return Exit::Corner(k);
             }
             if zeros(next(k), prev(k)) {
-                let to = if sides[k].is_positive() { prev(k) } else { next(k) };
+                let to = if sides[k].is_positive() {
+                    prev(k)
+                } else {
+                    next(k)
+                };
                 return Exit::Along(k, to);
             }
         }
@@ -197,7 +207,9 @@ impl<'a> Walks<'a> {
         let vertices = self.edges.figure().vertices();
         (0..3).all(|k| {
             let ends = [next(k), prev(k)].map(|k| vertices[self.corner(triangle, k)]);
-            let side = field.planes.beside(Spot::Place(place), &Line::Through(ends));
+            let side = field
+                .planes
+                .beside(Spot::Place(place), &Line::Through(ends));
             !side.is_negative()
         })
     }

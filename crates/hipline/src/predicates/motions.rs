@@ -73,13 +73,18 @@ impl Planes {
     /// The planes of points that move, and of walls.
     pub(crate) fn of_motions(motions: &[Motion], walls: &[[[f64; 2]; 2]]) -> Self {
         let [unit, time_unit, speed_unit] = units(motions, walls);
-        let places = || (motions.iter().map(|motion| motion.place)).chain(walls.iter().flatten().copied());
+        let places =
+            || (motions.iter().map(|motion| motion.place)).chain(walls.iter().flatten().copied());
         let origin = [0, 1].map(|k| {
-            let nearest = places().map(|place| place[k]).min_by(|p, q| p.abs().total_cmp(&q.abs()));
+            let nearest = places()
+                .map(|place| place[k])
+                .min_by(|p, q| p.abs().total_cmp(&q.abs()));
             nearest.unwrap_or_default()
         });
-        let point = |place: [f64; 2]| [0, 1].map(|k| scaled(place[k], unit) - scaled(origin[k], unit));
-        let mut points: Vec<([IBig; 2], [IBig; 2])> = Vec::with_capacity(LINES * motions.len() + WALL_LINES * walls.len());
+        let point =
+            |place: [f64; 2]| [0, 1].map(|k| scaled(place[k], unit) - scaled(origin[k], unit));
+        let mut points: Vec<([IBig; 2], [IBig; 2])> =
+            Vec::with_capacity(LINES * motions.len() + WALL_LINES * walls.len());
         let mut exact = Vec::with_capacity(2 * points.capacity());
         let unit_vectors = || [[IBig::ONE, IBig::ZERO], [IBig::ZERO, IBig::ONE]];
         for motion in motions {
@@ -106,17 +111,29 @@ impl Planes {
             }
         }
         let digits = |x: &IBig| x.clone().unsigned_abs().bit_len() as i32;
-        let bits = points.iter().flat_map(|line| &line.1).map(digits).max().unwrap_or(0);
+        let bits = points
+            .iter()
+            .flat_map(|line| &line.1)
+            .map(digits)
+            .max()
+            .unwrap_or(0);
         let speed_bits = exact.iter().map(digits).max().unwrap_or(0);
         let shift = if bits > 53 { bits - 30 } else { 0 };
-        let speed_shift = if speed_bits > 20 || shift > 0 { (speed_bits - 10).max(0) } else { 0 };
+        let speed_shift = if speed_bits > 20 || shift > 0 {
+            (speed_bits - 10).max(0)
+        } else {
+            0
+        };
         let mut planes = Self {
             lines: Vec::with_capacity(points.len()),
             lengths: Lengths::default(),
             grid: bits <= GRID && speed_bits <= GRID,
             roughs: Vec::with_capacity(points.len()),
             doubles: Vec::with_capacity(points.len()),
-            speeds: Some(Speeds { exact, shift: speed_shift }),
+            speeds: Some(Speeds {
+                exact,
+                shift: speed_shift,
+            }),
             phases: Phases::default(),
             first_later: points.len(),
             offsets: Vec::new(),

@@ -36,7 +36,11 @@ impl Cut {
         let integer = |x: &IBig, shift: i32| T::integer(x, shift);
         let [x, y, w] = self.at.parts();
         let w = integer(w, 0);
-        let (across, along, c) = if self.horizontal { (v, u, y) } else { (u, v, x) };
+        let (across, along, c) = if self.horizontal {
+            (v, u, y)
+        } else {
+            (u, v, x)
+        };
         let p = z.times(&w).minus(&across.times(&integer(c, planes.shift)));
         ([p, along.times(&w)], sign)
     }

@@ -66,19 +66,31 @@ fn envelopes_are_minima() {
             }
             let from = dice.roll(20);
             let to = from + 1 + dice.roll(12);
-            pieces.push(Piece { from: [from, 1], to: [to, 1], of: of as u32 });
+            pieces.push(Piece {
+                from: [from, 1],
+                to: [to, 1],
+                of: of as u32,
+            });
         }
         let chart = Lines(lines);
         let mut count = Count::default();
         let envelope = lower_envelope(&chart, pieces.clone(), &mut count);
         for pair in envelope.windows(2) {
-            assert!(compare(&pair[0].to, &pair[1].from).is_le(), "seed {seed}: {envelope:?}");
+            assert!(
+                compare(&pair[0].to, &pair[1].from).is_le(),
+                "seed {seed}: {envelope:?}"
+            );
         }
         // Places between all that may happen at thirds, or at crossings of such lines.
         for x in 0..34 * 29 {
             let x = [2 * x + 1, 2 * 29];
-            let covers = |p: &&Piece<Fraction>| compare(&p.from, &x).is_lt() && compare(&x, &p.to).is_lt();
-            let least = pieces.iter().filter(covers).map(|p| chart.at(p.of, &x)).min();
+            let covers =
+                |p: &&Piece<Fraction>| compare(&p.from, &x).is_lt() && compare(&x, &p.to).is_lt();
+            let least = pieces
+                .iter()
+                .filter(covers)
+                .map(|p| chart.at(p.of, &x))
+                .min();
             let found = envelope.iter().find(covers).map(|p| chart.at(p.of, &x));
             if envelope.iter().any(|p| p.from == x || p.to == x) {
                 continue;

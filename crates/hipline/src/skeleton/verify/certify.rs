@@ -20,7 +20,10 @@ use super::{
 use crate::{
     engine::NotApplicable,
     input::Figure,
-    motorcycle::{self, tracks::{Origin, Track, Tracks}},
+    motorcycle::{
+        self,
+        tracks::{Origin, Track, Tracks},
+    },
     predicates::{Place, PlaneId, Planes, Spot, Track as Border},
     skeleton::{ArcKind, Region, Skeleton},
     topology::{ArcId, FaceId, VertexId},
@@ -91,12 +94,9 @@ fn along(p: [f64; 2], q: [f64; 2]) -> impl Iterator<Item = AABB<[f64; 2]>> {
         [0, 1].map(|k| p[k] + s * (q[k] - p[k]))
     };
     (0..PIECES).map(move |i| {
-        let wide = [at(i), at(i + 1)].into_iter().flat_map(|[x, y]| {
-            [
-                [x - slack, y - slack],
-                [x + slack, y + slack],
-            ]
-        });
+        let wide = [at(i), at(i + 1)]
+            .into_iter()
+            .flat_map(|[x, y]| [[x - slack, y - slack], [x + slack, y + slack]]);
         around(wide)
     })
 }
@@ -232,7 +232,9 @@ impl Checker<'_> {
         }
         let (border, planes) = (Border::Equal(pair), self.planes_of(id));
         let ends = self.ends_of(id);
-        let sides = ends.each_ref().map(|n| self.planes.beside(Spot::Place(n), &border));
+        let sides = ends
+            .each_ref()
+            .map(|n| self.planes.beside(Spot::Place(n), &border));
         match sides {
             [Sign::Zero, Sign::Zero] => ends.iter().any(|n| {
                 let after = track.map(|p| {
@@ -271,7 +273,10 @@ impl Checker<'_> {
             for face in faces.into_iter().map(FaceId::raw) {
                 if self.find_chains(face, &mut chains)
                     && self.is_in(&meeting.place, face, &chains)
-                    && self.planes.ahead(&meeting.place, self.plane_of(face)).is_positive()
+                    && self
+                        .planes
+                        .ahead(&meeting.place, self.plane_of(face))
+                        .is_positive()
                 {
                     return Err(Uncertified::AboveMeeting {
                         vertex: vertex_of(tracks, meeting.members[0]),
@@ -291,7 +296,8 @@ impl Checker<'_> {
             let [from, to] = piece.ends.map(|n| {
                 let n = n.expect("inside of polygons all nodes are finite");
                 let node = self.places[n.index()].as_ref().expect("a finite node");
-                self.planes.compare_spots_along(spot, Spot::Place(node), plane)
+                self.planes
+                    .compare_spots_along(spot, Spot::Place(node), plane)
             });
             from.is_ge() && to.is_le()
         };
@@ -299,8 +305,16 @@ impl Checker<'_> {
             Some(other) => self.planes.beside(spot, &Border::Equal([plane, other])),
             None => self.planes.beside(spot, &Border::Level(plane, 0.0)),
         };
-        let above = chains.lower.iter().filter(spans).any(|p| !later(p).is_negative());
-        let below = chains.upper.iter().filter(spans).any(|p| !later(p).is_positive());
+        let above = chains
+            .lower
+            .iter()
+            .filter(spans)
+            .any(|p| !later(p).is_negative());
+        let below = chains
+            .upper
+            .iter()
+            .filter(spans)
+            .any(|p| !later(p).is_positive());
         above && below
     }
 }

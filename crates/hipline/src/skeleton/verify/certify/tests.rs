@@ -70,10 +70,18 @@ fn every_missing_piece_of_a_track_is_noticed() {
 fn a_motorcycle_that_starts_at_a_meeting_counts() {
     let figure = spikes();
     let (_, mut tracks) = motorcycle::induced(&figure).expect("a polygon");
-    let child = tracks.meetings[0].child.take().expect("a reflex vertex is born");
+    let child = tracks.meetings[0]
+        .child
+        .take()
+        .expect("a reflex vertex is born");
     tracks.motorcycles.truncate(child as usize);
-    let found = figure.skeleton(Options::default()).certify_by(&figure, &tracks);
-    assert!(matches!(found, Err(Uncertified::StrayValley { .. })), "{found:?}");
+    let found = figure
+        .skeleton(Options::default())
+        .certify_by(&figure, &tracks);
+    assert!(
+        matches!(found, Err(Uncertified::StrayValley { .. })),
+        "{found:?}"
+    );
 }
 
 #[test]
@@ -84,7 +92,10 @@ fn the_theorem_is_not_stretched() {
     assert_eq!(outside.certify(&figure), expected);
     let mut skeleton = figure.skeleton(Options::default());
     skeleton.nodes[7].x = skeleton.nodes[7].x.next_up();
-    assert!(matches!(skeleton.certify(&figure), Err(Uncertified::Unlawful(_))));
+    assert!(matches!(
+        skeleton.certify(&figure),
+        Err(Uncertified::Unlawful(_))
+    ));
 }
 
 /// Invented motorcycles on any two planes: where the roof is above one, in f64 along the arc that is named, the certificate
@@ -137,7 +148,10 @@ fn the_roof_is_nowhere_above_a_track() {
         }
         let found = checker.check_tracks(&tracks);
         if most > 0.01 {
-            assert!(matches!(found, Err(Uncertified::AboveTrack { .. })), "{pair:?} {most}");
+            assert!(
+                matches!(found, Err(Uncertified::AboveTrack { .. })),
+                "{pair:?} {most}"
+            );
             above += 1;
         } else if most < -0.01 {
             assert_eq!(found, Ok(()), "{pair:?} {most}");
