@@ -143,6 +143,8 @@ pub enum EngineArg {
     Monotone,
     /// Orthogonal monotone polygons, in linear time
     Orthogonal,
+    /// The lower envelope of slabs; for the inside of polygons with unit speeds
+    Envelope,
 }
 
 impl From<EngineArg> for Engine {
@@ -152,6 +154,7 @@ impl From<EngineArg> for Engine {
             EngineArg::Kinetic => Self::Kinetic,
             EngineArg::Monotone => Self::Monotone,
             EngineArg::Orthogonal => Self::Orthogonal,
+            EngineArg::Envelope => Self::Envelope,
         }
     }
 }

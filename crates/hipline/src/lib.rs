@@ -20,6 +20,7 @@
 
 pub mod centreline;
 pub mod engine;
+mod envelope;
 pub mod input;
 mod kinetic;
 mod lift;

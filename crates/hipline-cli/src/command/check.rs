@@ -2,7 +2,7 @@
 
 use std::{collections::BTreeMap, path::Path};
 
-use hipline::Figure;
+use hipline::{Figure, skeleton::Uncertified};
 use hipline_io::{FigureError, Reason, SkeletonRecord, read_skeletons};
 
 use crate::{
@@ -115,9 +115,13 @@ fn check_result(items: &[Item], path: &Path) -> Result<Outcome, Failure> {
             count(total, "result")
         )));
     }
+    let certified = match sum(|v| usize::from(v.certified)) {
+        0 => String::new(),
+        n => format!("; {n} certified"),
+    };
     super::print(
         format!(
-            "ok: {} verified: {}, {}, {}\n",
+            "ok: {} verified: {}, {}, {}{certified}\n",
             count(checked.len(), "skeleton"),
             count(sum(|v| v.nodes), "node"),
             count(sum(|v| v.arcs), "arc"),
@@ -129,6 +133,8 @@ fn check_result(items: &[Item], path: &Path) -> Result<Outcome, Failure> {
 
 /// What was verified.
 struct Verified {
+    /// Whether it is proved to be the straight skeleton.
+    certified: bool,
     nodes: usize,
     arcs: usize,
     faces: usize,
@@ -140,7 +146,8 @@ fn verify(figure: Option<&Figure>, record: Option<&SkeletonRecord>) -> Result<Ve
         Some(Err(error)) => return Err(format!("there is no skeleton, but an error: {error}")),
         Some(Ok(skeleton)) => skeleton,
     };
-    let verified = Verified {
+    let mut verified = Verified {
+        certified: false,
         nodes: skeleton.nodes().len(),
         arcs: skeleton.arcs().len(),
         faces: skeleton.faces().len(),
@@ -152,8 +159,18 @@ fn verify(figure: Option<&Figure>, record: Option<&SkeletonRecord>) -> Result<Ve
             Err("the geometry is empty, but its skeleton is not".to_owned())
         };
     };
-    let Err(violations) = skeleton.verify(figure) else {
-        return Ok(verified);
+    let violations = match skeleton.certify(figure) {
+        Ok(()) => {
+            verified.certified = true;
+            return Ok(verified);
+        }
+        // Where the theorem says nothing, the laws alone are asked.
+        Err(Uncertified::NotApplicable(_)) => match skeleton.verify(figure) {
+            Ok(()) => return Ok(verified),
+            Err(violations) => violations,
+        },
+        Err(Uncertified::Unlawful(violations)) => violations,
+        Err(other) => return Err(format!("not the straight skeleton: {other}")),
     };
     let mut lines = vec![count(violations.total, "violation")];
     lines.extend(

@@ -4,6 +4,7 @@
 //! in what they cost. Each one knows nothing of the others.
 
 use crate::{
+    envelope,
     input::Figure,
     kinetic, monotone, orthogonal,
     skeleton::{Options, Region, Skeleton},
@@ -25,6 +26,9 @@ pub enum Engine {
     /// Skeletons of two chains, merged (Eder, Held & Palfrader 2019), in linear time. Applies to the inside of one polygon without
     /// holes that is monotone and whose edges are parallel to the axes and of speed 1.
     Orthogonal,
+    /// The lower envelope of the slabs of edges and motorcycles (Mencil 2014). Applies to the inside of polygons
+    /// with unit speeds and without heights.
+    Envelope,
 }
 
 /// Why an engine does not apply to a figure.
@@ -104,6 +108,7 @@ impl Figure {
                 let monotone = orthogonal::applies(self, self.region(options))?;
                 Ok(orthogonal::skeleton(self, monotone))
             }
+            Engine::Envelope => envelope::skeleton(self, self.region(options)),
         }
     }
 

@@ -33,13 +33,13 @@ mod model;
 mod pairs;
 mod race;
 mod start;
-mod tracks;
+pub(crate) mod tracks;
 mod walk;
 mod walls;
 
 pub use given::{InvalidLaunch, Launch, LaunchFlaw};
 pub use model::{End, Meeting, Motorcycle, MotorcycleGraph, Origin, Spot};
-pub(crate) use tracks::Tracks;
+use tracks::Tracks;
 
 use crate::{
     engine::NotApplicable,

@@ -3,6 +3,8 @@
 //! Invariant: what leaves this module is a sign, an order or a correctly rounded number for
 //! output; [`Bounds`] only ever saves asking.
 
+mod clearance;
+mod coplanar;
 mod decide;
 mod eaves;
 mod expression;
@@ -16,9 +18,11 @@ mod passage;
 mod phases;
 mod place;
 mod planes;
+mod ramp;
 mod relation;
 mod root;
 mod rough;
+mod section;
 mod speeds;
 mod station;
 mod terminal;
@@ -33,6 +37,7 @@ pub(crate) use orientation::orientation;
 pub(crate) use passage::{Lane, Rail};
 pub(crate) use place::{Bound, Place, Start};
 pub(crate) use planes::{PlaneId, Planes};
+pub(crate) use section::Cut;
 pub(crate) use station::{Spot, Station, Track, Way, rough_side};
 pub(crate) use terminal::Terminal;
 pub(crate) use turn::turn;

@@ -37,10 +37,15 @@ pub(crate) enum Place {
     },
 }
 
-/// Where a ghost arc starts.
+/// Where a ghost arc, or the side of a slab, starts.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Start {
     Vertex([f64; 2]),
+    /// Where a motorcycle crashes.
+    On {
+        pair: [PlaneId; 2],
+        rail: Rail,
+    },
     Event {
         pair: [PlaneId; 2],
         moment: [PlaneId; 3],
@@ -52,6 +57,7 @@ impl From<Start> for Place {
         match start {
             Start::Vertex(v) => Self::Vertex(v),
             Start::Event { pair, moment } => Self::Event { pair, moment },
+            Start::On { pair, rail } => Self::On { pair, rail },
         }
     }
 }

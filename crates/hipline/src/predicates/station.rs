@@ -44,6 +44,11 @@ impl Station {
             w: IBig::ONE << (planes.unit - unit) as usize,
         }
     }
+
+    /// `[x, y, w]`.
+    pub(super) const fn parts(&self) -> [&IBig; 3] {
+        [&self.x, &self.y, &self.w]
+    }
 }
 
 /// A point of the plan.
@@ -71,7 +76,7 @@ fn spot<T: Rung>(planes: &Planes, spot: Spot) -> [T; 3] {
 }
 
 /// A line that a border of faces lies on, directed.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Track {
     /// Where two planes have the same time; points with a later time on the first one are
     /// positive.
@@ -98,7 +103,7 @@ fn reach<T: Rung>(plane: &Plane<T>, [x, y, w]: &[T; 3]) -> T {
 
 /// `[u, v, z]` of the line `u x + v y = z`, such that `u x + v y - z` has the sign of the
 /// track's sides, but for the sign that comes second.
-fn line<T: Rung>(planes: &Planes, track: &Track) -> ([T; 3], Option<Sign>) {
+pub(super) fn line<T: Rung>(planes: &Planes, track: &Track) -> ([T; 3], Option<Sign>) {
     match track {
         Track::Equal(pair) => {
             let [f, g] = pair.map(|id| T::plane(planes, id));

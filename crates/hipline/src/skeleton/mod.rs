@@ -12,4 +12,4 @@ pub use heights::ReachedEarly;
 pub(crate) use merge::merge;
 pub use model::{Arc, ArcKind, Face, InputGraph, Node, NodeKind, Options, Region, Side, Skeleton};
 pub use stats::Stats;
-pub use verify::{Violation, Violations};
+pub use verify::{Uncertified, Violation, Violations};

@@ -19,18 +19,18 @@ use hipline_num::Sign;
 
 /// A piece of a boundary; its ends in the order of the edge's direction.
 #[derive(Clone, Copy, Debug)]
-struct Piece {
+pub(super) struct Piece {
     /// `None` at infinity.
-    ends: [Option<NodeId>; 2],
+    pub ends: [Option<NodeId>; 2],
     /// The plane on the other side; `None` for the base.
-    other: Option<PlaneId>,
+    pub other: Option<PlaneId>,
 }
 
 /// The chains of a boundary, each in the order of the edge's direction.
 #[derive(Default)]
-struct Chains {
-    lower: Vec<Piece>,
-    upper: Vec<Piece>,
+pub(super) struct Chains {
+    pub lower: Vec<Piece>,
+    pub upper: Vec<Piece>,
     /// The start of the lower one, beyond the base.
     left: Vec<Piece>,
 }
@@ -96,7 +96,7 @@ impl Checker<'_> {
     }
 
     /// Walks around a face and sorts its pieces into chains. False if it is not monotone.
-    fn find_chains(&mut self, face: FaceId, chains: &mut Chains) -> bool {
+    pub(super) fn find_chains(&mut self, face: FaceId, chains: &mut Chains) -> bool {
         let plane = self.plane_of(face);
         let arcs = self.skeleton.arcs.len();
         let first = self.skeleton.cycles[self.skeleton.face(face).cycles[0] as usize] as usize;

@@ -28,6 +28,7 @@
 //! holds with any weights.
 
 mod arcs;
+mod certify;
 mod faces;
 mod places;
 mod rotation;
@@ -36,6 +37,7 @@ mod structure;
 mod tests;
 mod violation;
 
+pub use certify::Uncertified;
 pub use violation::{Violation, Violations};
 
 use super::{Face, Node, NodeKind, Side, Skeleton};
@@ -115,6 +117,11 @@ impl Skeleton {
     /// # Ok::<(), hipline::InvalidFigure>(())
     /// ```
     pub fn verify(&self, figure: &Figure) -> Result<(), Violations> {
+        self.examine(figure).report.into_result()
+    }
+
+    /// Asks all questions, and keeps what was found on the way.
+    fn examine<'a>(&'a self, figure: &'a Figure) -> Checker<'a> {
         let terminals = Terminal::all(figure);
         let planes = Planes::new(figure, &terminals);
         let mut checker = Checker {
@@ -152,7 +159,7 @@ impl Skeleton {
                 checker.check_rotation();
             }
         }
-        checker.report.into_result()
+        checker
     }
 }
 
