@@ -47,24 +47,47 @@ impl Figure {
     /// The straight skeleton, by the fastest engine that applies.
     ///
     /// Exact: all decisions are signs of exact numbers; coordinates and times of the result
-    /// are correctly rounded. Total: every figure has a skeleton.
+    /// are correctly rounded. Total: every figure has a skeleton. Where [`Options::modified`] does not
+    /// apply, because of speeds or heights, it is without effect.
     ///
     /// # Complexity
     /// O(n) memory; about n log n time on ordinary input, O(n^3 log n) at worst (Lemma 5 of Aichholzer & Aurenhammer 1996).
     #[must_use]
     pub fn skeleton(&self, options: Options) -> Skeleton {
-        kinetic::skeleton(self, self.region(options))
+        let modified = options.modified && self.not_plain().is_none();
+        kinetic::skeleton(self, self.region(options), modified)
     }
 
     /// The straight skeleton by the engine of one's choice. It is the same, bit for bit up to the order of nodes and
     /// arcs, whichever computes it.
     ///
     /// # Errors
-    /// If the engine does not apply to this figure: why.
+    /// If the engine or an option does not apply to this figure: why.
     pub fn skeleton_by(&self, engine: Engine, options: Options) -> Result<Skeleton, NotApplicable> {
-        match engine {
-            Engine::Auto | Engine::Kinetic => Ok(kinetic::skeleton(self, self.region(options))),
+        if options.modified
+            && let Some(reason) = self.not_plain()
+        {
+            return Err(reason);
         }
+        match engine {
+            Engine::Auto | Engine::Kinetic => Ok(kinetic::skeleton(
+                self,
+                self.region(options),
+                options.modified,
+            )),
+        }
+    }
+
+    /// What keeps the modified skeleton from being defined: a speed or a height.
+    fn not_plain(&self) -> Option<NotApplicable> {
+        if self.is_plain() {
+            return None;
+        }
+        #[expect(clippy::float_cmp, reason = "asks for the number one itself")]
+        let fast = self.edges().iter().position(|e| e.speeds != [1.0, 1.0]);
+        let edge = fast.map(EdgeId::new);
+        let edge = edge.or_else(|| self.changes().first().map(|change| change.edge));
+        Some(edge.map_or(NotApplicable::Heights, |edge| NotApplicable::Speed { edge }))
     }
 
     /// The part of the plane to cover, never [`Region::Auto`].

@@ -10,12 +10,14 @@
 //!   of infinite speed live only within one such batch, so they never need a velocity.
 //! * The exterior is framed by four points at infinity ([`Direction`](crate::predicates::Direction))
 //!   instead of one, so that each unbounded triangle has an area that is linear in time.
+//! * The modified skeleton of section 5 is a matter of how the wavefront starts at acute angles ([`acute`]).
 //! * Neighbours on one plane are carried as one wavefront edge ([`straight`]); their faces
 //!   are cut apart afterwards by ghost arcs.
 //!
 //! Invariant: between two batches every triangle has positive area, and no wavefront vertex
 //! has an angle of 0 or 180 degrees.
 
+mod acute;
 mod change;
 mod eaves;
 mod queue;
@@ -43,6 +45,7 @@ use triangulation::Triangulation;
 struct Kinetic<'a> {
     figure: &'a Figure,
     planes: Planes,
+    /// The terminals, then the caps of a modified skeleton.
     terminals: Vec<Terminal>,
     triangulation: Triangulation,
     front: Wavefront,
@@ -76,12 +79,13 @@ struct Batch {
     scheduled: Vec<u32>,
 }
 
-/// The straight skeleton of a part of the plane, by this engine. Total: every figure has one.
+/// The straight skeleton of a part of the plane, or the modified one, by this engine. Total: every
+/// figure has one.
 ///
 /// # Complexity
 /// O(n) memory; about n log n time on ordinary input, O(n^3 log n) at worst (Lemma 5).
-pub(crate) fn skeleton(figure: &Figure, region: Region) -> Skeleton {
-    let mut kinetic = Kinetic::new(figure, region);
+pub(crate) fn skeleton(figure: &Figure, region: Region, modified: bool) -> Skeleton {
+    let mut kinetic = Kinetic::new(figure, region, modified);
     kinetic.propagate();
     let rungs = kinetic.planes.rungs.get();
     kinetic.stats.by_f64 = rungs.by_f64;
