@@ -2,7 +2,7 @@
 //!
 //! The vertex of a sector of more than 270 degrees becomes three: from the wavefront edge that comes in, right
 //! into the cap of its edge, left into the other edge's cap, right into the wavefront edge that goes
-//! out. See [`caps`](Terminal::with_caps) for why, and where this departs from the paper.
+//! out. See [`Terminal::with_caps`] for when, and where that departs from the paper.
 
 use super::{
     Kinetic,

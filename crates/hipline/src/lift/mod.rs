@@ -7,7 +7,7 @@ use crate::{
     input::Figure,
     predicates::{Bound, Place, PlaneId, Planes, Start, Terminal},
     skeleton::{ArcKind, Face, NodeKind, Side, Skeleton},
-    topology::{ArcId, FaceId, NodeId},
+    topology::{ArcId, EdgeId, FaceId, NodeId},
 };
 use hipline_num::Sign;
 use std::cell::OnceCell;
@@ -54,11 +54,16 @@ impl<'a> Lift<'a> {
         plane.expect("the skeleton is of this figure, and its edges have as many phases")
     }
 
+    /// The number of the terminal or cap at an end of an edge.
+    fn tip(&self, vertex: usize, edge: EdgeId) -> Option<usize> {
+        Terminal::find(&self.terminals, self.plain, vertex, edge.index())
+    }
+
     /// The plane of the first phase of a face's edge.
     fn first_plane(&self, face: &Face) -> PlaneId {
         let [from, to] = self.skeleton.input().edges[face.edge.index()];
         let terminal = |tip: usize| {
-            let i = Terminal::find(&self.terminals, self.plain, tip, face.edge.index());
+            let i = self.tip(tip, face.edge);
             2 * (self.edges + i.expect("the face of a terminal or a cap")) as u32
         };
         PlaneId(match face.side {
@@ -186,8 +191,7 @@ impl<'a> Lift<'a> {
                 );
             }
             if planes[0].0 ^ planes[1].0 == 1
-                && let edge = (planes[0].0 >> 1) as usize
-                && let Some(i) = Terminal::find(&self.terminals, self.plain, vertex.index(), edge)
+                && let Some(i) = self.tip(vertex.index(), self.skeleton.face(arc.faces[0]).edge)
             {
                 let cap = PlaneId(2 * (self.edges + i) as u32);
                 list.extend(self.planes.stands_still(cap).then_some(cap));

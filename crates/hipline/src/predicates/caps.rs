@@ -1,29 +1,27 @@
 //! Caps: the wavefront edges that modified skeletons have at acute angles (Aichholzer & Aurenhammer
 //! 1996, section 5).
 //!
-//! In the modified skeleton each edge sends out a wavefront of its own, the rectangle of the
-//! points that are less than t away from it along both axes of the edge. At a vertex, two sides of
-//! each rectangle are those of the edge's ordinary wavefront, and the third one, perpendicular to it, is
-//! its *cap*. At time one, the rectangle of an edge reaches `1 / sin d` far at an angle of d
-//! from the edge, if d is at most 135 degrees, and `1 / cos (180 - d)` beyond. Take a sector of
-//! `a` degrees between two neighbouring edges, and the union of their two rectangles: the two sides meet in the
-//! middle, at `a / 2`. If `a` is at most 270, that is within 135 degrees, and no cap is seen.
-//! Otherwise the wavefront turns right into one cap, left into the other one, right
-//! into the second edge's side. So:
+//! In the modified skeleton each edge is a figure of its own, and sends out a rectangle. At a vertex, two
+//! sides of that rectangle are those of the edge's ordinary wavefront, and the third one,
+//! perpendicular to it, is its *cap*, on the plane that a terminal would have there. Picture the
+//! edges drawn back from the vertex by as good as nothing, and let the rectangles stop where they
+//! meet. In a sector of more than 270 degrees, outside of an acute angle, the outer halves of two
+//! caps are left over: the wavefront turns right into the cap of the edge that it came along, left into the
+//! other one, and right again. Hence:
 //!
-//! * A vertex has caps if all its edges lie within less than 90 degrees, and then two of them,
-//!   for the two outermost edges.
-//! * A reflex wavefront vertex at the start has an angle of at most 270 degrees, and so a speed of
-//!   at most the square root of two.
+//! * Four arcs start at an acute angle in place of two: one inside of it, three outside.
+//! * A vertex has caps if all its edges lie within less than 90 degrees: then two, of the
+//!   two outermost edges. The caps of those in between stay behind these.
+//! * No reflex vertex of the wavefront has more than 270 degrees at the start, and so none is ever
+//!   faster than the square root of two.
 //!
 //! # Departure
-//! The paper speaks of the edges of a graph, each of which sends out a rectangle, but draws a polygon. Where
-//! more than two edges meet, the rectangle of a third edge may reach, through one of the edges that bound a
-//! sector, into that sector: one of a road that joins a straight one at 80 degrees does. That
-//! corner, of one side and the cap, would give the side a second face, apart from
-//! its edge. Here it is cut off: the wavefront of a sector is that of the two
-//! edges that bound it. What the modification is for holds all the same: the bound of
-//! the speed, and that nothing differs without acute angles.
+//! Taken at its word, "its own rectangular wavefront" would change obtuse angles, too: the corner of a
+//! rectangle, at 135 degrees from its edge, reaches a little beyond the side of the other edge's, and at
+//! vertices of several edges that of one may come out between two others. But the paper
+//! says that both structures are identical without acute angles, that an acute one has four arcs, and that the
+//! bound of the speed is what it is for. These three together are the definition
+//! here: sectors of up to 270 degrees, where the bound holds anyway, are left as they are.
 
 use super::{Terminal, orientation};
 use crate::input::Figure;
@@ -71,9 +69,7 @@ pub(super) fn caps(figure: &Figure) -> Vec<Terminal> {
 /// than 90 degrees: the last one and the first one counterclockwise.
 fn outermost(vertices: &[[f64; 2]], tip: usize, around: &[[usize; 2]]) -> Option<[[usize; 2]; 2]> {
     let (&start, others) = around.split_first()?;
-    let is_acute = |a: [usize; 2], b: [usize; 2]| {
-        is_acute([tip, a[1], b[1]].map(|v| vertices[v]))
-    };
+    let is_acute = |a: [usize; 2], b: [usize; 2]| is_acute([tip, a[1], b[1]].map(|v| vertices[v]));
     // Edges less than 90 degrees from one are in a half-plane: a turn between two of them orders them.
     if others.is_empty() || !others.iter().all(|&end| is_acute(start, end)) {
         return None;

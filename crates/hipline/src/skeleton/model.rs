@@ -36,12 +36,12 @@ impl Options {
     }
 
     /// Asks for the *modified* straight skeleton (Aichholzer & Aurenhammer 1996, section 5): every
-    /// edge sends out a rectangle of its own. Around acute angles the wavefront then has two edges
-    /// more, perpendicular to those that form the angle, and so no reflex vertex of it is faster than
-    /// the square root of two. Without acute angles it is the straight skeleton itself.
+    /// edge is a figure of its own, and sends out a rectangle. Outside of acute angles the wavefront
+    /// then has two edges more, perpendicular to those that form the angle, and so no reflex vertex of it
+    /// is faster than the square root of two. Without acute angles it is the straight skeleton itself.
     ///
-    /// At vertices of more than two edges, the wavefront between two neighbouring edges is that of
-    /// the rectangles of these two; a third one's, which may reach through from behind, is cut off.
+    /// At a vertex of more than two edges that is so if all of them lie within less than 90 degrees.
+    /// Elsewhere nothing differs.
     ///
     /// Only for speeds of one that never change, and no heights: [`Figure::skeleton_by`] refuses
     /// others, [`Figure::skeleton`] leaves the option without effect.
