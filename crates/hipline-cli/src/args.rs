@@ -103,6 +103,11 @@ pub struct ComputeArgs {
     #[arg(long, value_name = "ENGINE", default_value = "auto")]
     pub engine: EngineArg,
 
+    /// Let every edge send out a rectangle of its own, so that nothing shoots ahead of acute
+    /// angles: the modified skeleton. Not with weights or heights
+    #[arg(long)]
+    pub modified: bool,
+
     /// Print counts and times to standard error
     #[arg(long)]
     pub stats: bool,
@@ -119,7 +124,9 @@ impl ComputeArgs {
     }
 
     pub fn options(self) -> Options {
-        Options::default().region(self.region())
+        Options::default()
+            .region(self.region())
+            .modified(self.modified)
     }
 }
 
@@ -272,6 +279,7 @@ pub struct SizeArgs {
 Examples:
   hipline skeleton village.geojson -o village.svg
   hipline skeleton coast.wkt --side exterior -o coast.json --stats
+  hipline skeleton stars.geojson --modified --side both -o stars.svg
   hipline skeleton house.geojson --gable 1 --gable 3 -o house.svg
   hipline skeleton house.geojson --profile 0:1,2.5:4 -o mansard.svg
   hipline skeleton streets.graphml --format geojson > faces.geojson

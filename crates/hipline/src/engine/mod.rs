@@ -68,6 +68,9 @@ pub enum NotApplicable {
     /// A vertex has a height.
     #[error("the figure has heights")]
     Heights,
+    /// The modified skeleton is asked for.
+    #[error("modified skeletons are computed by the kinetic engine only")]
+    Modified,
 }
 
 /// From this number of edges on, the engine for monotone polygons is the faster one: see `docs/engines.md`.
@@ -77,7 +80,8 @@ impl Figure {
     /// The straight skeleton, by the fastest engine that applies.
     ///
     /// Exact: all decisions are signs of exact numbers; coordinates and times of the result
-    /// are correctly rounded. Total: every figure has a skeleton.
+    /// are correctly rounded. Total: every figure has a skeleton. Where [`Options::modified`] does not
+    /// apply, because of speeds or heights, it is without effect.
     ///
     /// # Complexity
     /// O(n) memory; about n log n time on ordinary input, O(n^3 log n) at worst (Lemma 5 of Aichholzer & Aurenhammer 1996).
@@ -85,12 +89,14 @@ impl Figure {
     #[must_use]
     pub fn skeleton(&self, options: Options) -> Skeleton {
         let region = self.region(options);
+        if options.modified && self.not_plain().is_none() {
+            return kinetic::skeleton(self, region, true);
+        }
         match orthogonal::applies(self, region) {
             Ok(monotone) => orthogonal::skeleton(self, monotone),
-            Err(_) if self.edges().len() >= MONOTONE_PAYS => {
-                monotone::skeleton(self, region).unwrap_or_else(|_| kinetic::skeleton(self, region))
-            }
-            Err(_) => kinetic::skeleton(self, region),
+            Err(_) if self.edges().len() >= MONOTONE_PAYS => monotone::skeleton(self, region)
+                .unwrap_or_else(|_| kinetic::skeleton(self, region, false)),
+            Err(_) => kinetic::skeleton(self, region, false),
         }
     }
 
@@ -98,18 +104,40 @@ impl Figure {
     /// arcs, whichever computes it.
     ///
     /// # Errors
-    /// If the engine does not apply to this figure: why.
+    /// If the engine or an option does not apply to this figure: why.
     pub fn skeleton_by(&self, engine: Engine, options: Options) -> Result<Skeleton, NotApplicable> {
+        let region = self.region(options);
+        if options.modified {
+            if let Some(reason) = self.not_plain() {
+                return Err(reason);
+            }
+            return match engine {
+                Engine::Auto | Engine::Kinetic => Ok(kinetic::skeleton(self, region, true)),
+                _ => Err(NotApplicable::Modified),
+            };
+        }
         match engine {
             Engine::Auto => Ok(self.skeleton(options)),
-            Engine::Kinetic => Ok(kinetic::skeleton(self, self.region(options))),
-            Engine::Monotone => monotone::skeleton(self, self.region(options)),
+            Engine::Kinetic => Ok(kinetic::skeleton(self, region, false)),
+            Engine::Monotone => monotone::skeleton(self, region),
             Engine::Orthogonal => {
-                let monotone = orthogonal::applies(self, self.region(options))?;
+                let monotone = orthogonal::applies(self, region)?;
                 Ok(orthogonal::skeleton(self, monotone))
             }
-            Engine::Envelope => envelope::skeleton(self, self.region(options)),
+            Engine::Envelope => envelope::skeleton(self, region),
         }
+    }
+
+    /// What keeps the modified skeleton from being defined: a speed or a height.
+    fn not_plain(&self) -> Option<NotApplicable> {
+        if self.is_plain() {
+            return None;
+        }
+        #[expect(clippy::float_cmp, reason = "asks for the number one itself")]
+        let fast = self.edges().iter().position(|e| e.speeds != [1.0, 1.0]);
+        let edge = fast.map(EdgeId::new);
+        let edge = edge.or_else(|| self.changes().first().map(|change| change.edge));
+        Some(edge.map_or(NotApplicable::Heights, |edge| NotApplicable::Speed { edge }))
     }
 
     /// The part of the plane to cover, never [`Region::Auto`].

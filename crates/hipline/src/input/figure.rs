@@ -124,6 +124,13 @@ impl Figure {
         !self.heights.is_empty()
     }
 
+    /// Whether every speed is one for ever, and no vertex has a height.
+    pub(crate) fn is_plain(&self) -> bool {
+        #[expect(clippy::float_cmp, reason = "asks for the number one itself")]
+        let ones = self.edges.iter().all(|edge| edge.speeds == [1.0, 1.0]);
+        ones && self.changes.is_empty() && self.heights.is_empty()
+    }
+
     /// Whether an end of an edge has a height other than zero.
     pub(crate) fn has_height(&self, edge: EdgeId) -> bool {
         let edge = &self.edges[edge.index()];

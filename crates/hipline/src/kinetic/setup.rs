@@ -64,8 +64,8 @@ fn along_input(mesh: &Mesh, vertices: usize, kept: impl Fn(usize) -> bool) -> Ve
 
 impl<'a> Kinetic<'a> {
     /// The state at time zero, terminals and straight vertices not yet treated.
-    pub(super) fn new(figure: &'a Figure, region: Region) -> Self {
-        let terminals = Terminal::all(figure);
+    pub(super) fn new(figure: &'a Figure, region: Region, modified: bool) -> Self {
+        let terminals = Terminal::with_caps(figure, modified);
         let planes = Planes::new(figure, &terminals);
         let faces = 2 * figure.edges().len() + terminals.len();
         let mut kinetic = Self {
@@ -270,9 +270,13 @@ impl<'a> Kinetic<'a> {
             }
         }
         let tips = self.prepare_terminals();
+        let acute = self.wide_sectors();
         self.remove_straight_vertices();
         for (x, terminal) in tips {
             self.open_terminal(x, terminal, self.terminal_plane(terminal));
+        }
+        for (x, caps) in acute {
+            self.open_caps(x, caps);
         }
         self.open_moved_terminals();
         self.refresh_pairs();
@@ -305,7 +309,7 @@ impl<'a> Kinetic<'a> {
         queue.fill(queued.into_iter(), &|a, b| agenda.compare(planes, a, b));
     }
 
-    /// The plane of terminal number `i`.
+    /// The plane of terminal or cap number `i`.
     pub(super) fn terminal_plane(&self, i: usize) -> PlaneId {
         PlaneId(2 * (self.figure.edges().len() + i) as u32)
     }
@@ -320,8 +324,7 @@ impl<'a> Kinetic<'a> {
                 continue;
             }
             let tip = trace.born as usize;
-            let terminal = self
-                .terminals
+            let terminal = self.terminals[..self.figure.terminals()]
                 .binary_search_by_key(&tip, |terminal| terminal.tip)
                 .expect("both sides of an edge meet at a terminal only");
             // From the edge's side to the terminal's the wavefront turns right.

@@ -93,7 +93,7 @@ fn parts_make_the_whole() {
                     continue;
                 };
                 seen += 1;
-                let whole = of_whole(&figure, region);
+                let whole = of_whole(&figure, region, false);
                 let merged = of_parts(&figure, region, &parts);
                 assert_eq!(arcs(&merged), arcs(&whole), "seed {seed}, {region:?}");
                 let faces = |s: &Skeleton| -> Vec<_> {

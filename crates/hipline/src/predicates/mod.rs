@@ -3,6 +3,7 @@
 //! Invariant: what leaves this module is a sign, an order or a correctly rounded number for
 //! output; [`Bounds`] only ever saves asking.
 
+mod caps;
 mod clearance;
 mod coplanar;
 mod decide;
