@@ -117,7 +117,7 @@ pub(super) fn add_clusters(plan: &mut Plan, list: &[Standing]) {
                 .compare_spots_along(spots[0], spots[1], plane)
                 .is_lt();
             // What comes later is on the left of the edge, and positive.
-            plan.add(pair, border, [above, below], track.clone(), !forward);
+            plan.add(pair, border, [above, below], track, !forward);
         }
     }
 }
