@@ -90,6 +90,16 @@ fn dependencies_point_one_way() {
         &["kinetic::", "offset::", "predicates::"],
     );
     absent(
+        "hipline/src/motorcycle",
+        &[
+            "kinetic::",
+            "offset::",
+            "roof::",
+            "observe::",
+            "centreline::",
+        ],
+    );
+    absent(
         "hipline/src",
         &["std::fs", "std::io", "println!", "hipline_io"],
     );
@@ -148,6 +158,7 @@ fn nothing_depends_on_hash_order_or_clocks() {
     for folder in [
         "engine",
         "kinetic",
+        "motorcycle",
         "wavefront",
         "predicates",
         "topology",

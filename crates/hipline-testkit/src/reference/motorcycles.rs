@@ -242,7 +242,7 @@ impl World<'_> {
         let there = self.when(i, &b.at);
         if self.starts_by(i, &there).is_gt() {
             let first = n.compare(&b.time, &there);
-            if first.is_eq() || (first.is_lt() && n.sign(&alike).is_gt()) {
+            if first.is_le() {
                 return Some((there, Thing::Track(j)));
             }
         }
