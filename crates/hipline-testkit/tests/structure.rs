@@ -125,6 +125,16 @@ fn dependencies_point_one_way() {
         &["kinetic::", "offset::", "predicates::"],
     );
     absent(
+        "hipline/src/motorcycle",
+        &[
+            "kinetic::",
+            "offset::",
+            "roof::",
+            "observe::",
+            "centreline::",
+        ],
+    );
+    absent(
         "hipline/src",
         &["std::fs", "std::io", "println!", "hipline_io"],
     );
@@ -207,6 +217,7 @@ fn nothing_depends_on_hash_order_or_clocks() {
         "kinetic",
         "monotone",
         "orthogonal",
+        "motorcycle",
         "wavefront",
         "lift",
         "predicates",

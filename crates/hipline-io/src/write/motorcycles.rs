@@ -12,7 +12,7 @@ use super::{
     json::string,
     number::{Number, Rounded},
     palette,
-    window::Window,
+    window::{Window, is_same},
 };
 use crate::FeatureName;
 
@@ -178,7 +178,7 @@ pub fn motorcycles_geojson<'a>(
                 ",\"start_time\":{start},\"end_time\":{end}}},\"geometry\":{{"
             )?;
             let [p, q] = ends(motorcycle, &window);
-            if p == q {
+            if is_same(p, q) {
                 let [x, y] = p.map(Number);
                 write!(w, "\"type\":\"Point\",\"coordinates\":[{x},{y}]")?;
             } else {

@@ -238,26 +238,22 @@ impl World<'_> {
                 return Some((a.time.clone(), Thing::Track(j)));
             }
         }
-        // Does it come to the other's start?
-        let there = self.when(i, &b.at);
-        if self.starts_by(i, &there).is_gt() {
-            let first = n.compare(&b.time, &there);
-            if first.is_eq() || (first.is_lt() && n.sign(&alike).is_gt()) {
-                return Some((there, Thing::Track(j)));
+        // Do they come towards each other? v . (a + v (t - s)) = v . (b + w (t - u)).
+        if n.sign(&alike).is_lt() && b.end.is_none() {
+            let square = n.dot(&a.velocity, &a.velocity);
+            let rest = n.plus(
+                &n.dot(to, &a.velocity),
+                &n.minus(&n.times(&square, &a.time), &n.times(&alike, &b.time)),
+            );
+            let time = n.over(&rest, &n.minus(&square, &alike));
+            if self.starts_by(i, &time).is_gt() && self.starts_by(j, &time).is_gt() {
+                return Some((time, Thing::Rival(j)));
             }
         }
-        if n.sign(&alike).is_gt() || b.end.is_some() {
-            return None;
-        }
-        // v . (a + v (t - s)) = v . (b + w (t - u)).
-        let square = n.dot(&a.velocity, &a.velocity);
-        let rest = n.plus(
-            &n.dot(to, &a.velocity),
-            &n.minus(&n.times(&square, &a.time), &n.times(&alike, &b.time)),
-        );
-        let time = n.over(&rest, &n.minus(&square, &alike));
-        let after = self.starts_by(i, &time).is_gt() && self.starts_by(j, &time).is_gt();
-        after.then_some((time, Thing::Rival(j)))
+        // Does it come to the other's start?
+        let there = self.when(i, &b.at);
+        let is_there = self.starts_by(i, &there).is_gt() && n.compare(&b.time, &there).is_le();
+        is_there.then_some((there, Thing::Track(j)))
     }
 
     /// All that a motorcycle may run into.

@@ -12,7 +12,8 @@
 //! track, ends at once, and so does the slower one of two that start together in one direction.
 
 use super::{
-    race::{Field, Found, Hit, Obstacle},
+    field::Field,
+    hits::{Found, Hit, Obstacle},
     tracks::Origin,
 };
 use crate::predicates::{Bounds, Lane, Place, Rail};
@@ -73,11 +74,12 @@ pub(super) fn encounter(field: &Field, i: u32, j: u32, window: Window, found: &m
     let turn = match crossing.turn {
         Some(turn) if !turn.is_zero() => {
             // Most are seen not to cross at little cost.
-            for k in 0..2 {
+            let misses = |k: usize| {
                 let t = crossing.times[k];
-                if t.high < window.from[k].max(starts[k].low) || t.low > window.until[k] {
-                    return;
-                }
+                t.high < window.from[k].max(starts[k].low) || t.low > window.until[k]
+            };
+            if misses(0) || misses(1) {
+                return;
             }
             turn
         }

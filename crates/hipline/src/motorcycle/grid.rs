@@ -7,7 +7,8 @@
 
 use super::{
     encounter::{Window, encounter},
-    race::{Field, Found, Ground, Step},
+    field::{Field, Ground},
+    hits::{Found, Step},
     walls::Segment,
 };
 use crate::predicates::Motion;

@@ -27,8 +27,10 @@
 
 mod births;
 mod encounter;
+mod field;
 mod given;
 mod grid;
+mod hits;
 mod model;
 mod pairs;
 mod race;

@@ -11,7 +11,8 @@
 
 use super::{
     encounter::{Window, encounter},
-    race::{Field, Found, Ground, Step},
+    field::{Field, Ground},
+    hits::{Found, Step},
     start::{Sector, across, facing, next, prev},
     walls::Edges,
 };
@@ -198,23 +199,21 @@ impl<'a> Walks<'a> {
         // Counterclockwise, from its right to its left.
         let turns = |from: usize, to: usize| sides[from].is_negative() && sides[to].is_positive();
         let zeros = |from: usize, to: usize| sides[from].is_zero() && sides[to].is_zero();
-        for k in 0..3 {
+        let exit = |k: usize| {
             if turns(next(k), prev(k)) {
-                return Exit::Side(k);
+                Some(Exit::Side(k))
+            } else if sides[k].is_zero() && turns(prev(k), next(k)) {
+                Some(Exit::Corner(k))
+            } else if zeros(next(k), prev(k)) {
+                let is_left = sides[k].is_positive();
+                Some(Exit::Along(k, if is_left { prev(k) } else { next(k) }))
+            } else {
+                None
             }
-            if sides[k].is_zero() && turns(prev(k), next(k)) {
-                return Exit::Corner(k);
-            }
-            if zeros(next(k), prev(k)) {
-                let to = if sides[k].is_positive() {
-                    prev(k)
-                } else {
-                    next(k)
-                };
-                return Exit::Along(k, to);
-            }
-        }
-        unreachable!("motorcycle {who} does not go through triangle {triangle}")
+        };
+        (0..3).find_map(exit).unwrap_or_else(|| {
+            unreachable!("motorcycle {who} does not go through triangle {triangle}")
+        })
     }
 
     /// Whether a place is in a triangle or on its boundary.

@@ -1,6 +1,9 @@
 //! What stands still: the edges of a figure, or walls that somebody placed.
 
-use super::race::{Field, Found, Hit, Obstacle};
+use super::{
+    field::Field,
+    hits::{Found, Hit, Obstacle},
+};
 use crate::{
     input::Figure,
     predicates::{Bounds, Place, PlaneId, Rail},
