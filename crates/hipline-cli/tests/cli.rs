@@ -862,7 +862,7 @@ fn the_village() {
     let output = run(&["check", village, "--result", &result], "");
     assert_eq!(
         out(&output),
-        "ok: 26 skeletons verified: 353 nodes, 329 arcs, 202 faces\n"
+        "ok: 26 skeletons verified: 353 nodes, 329 arcs, 202 faces; 26 certified\n"
     );
 }
 

@@ -12,7 +12,7 @@ use super::{
 };
 use crate::{
     motorcycle::tracks::Crash,
-    predicates::{Place, PlaneId},
+    predicates::{Place, PlaneId, Start},
 };
 use std::cmp::Ordering;
 
@@ -20,6 +20,17 @@ use std::cmp::Ordering;
 pub(super) struct Along<'a, 'b>(pub &'a Envelope<'b>, pub PlaneId);
 
 impl Along<'_, '_> {
+    /// What a place is straight above of, if its definition tells.
+    fn start_below(&self, place: &Place) -> Option<Start> {
+        match *place {
+            Place::Vertex(v) => Some(Start::Vertex(v)),
+            Place::Event { pair, moment } => Some(Start::Event { pair, moment }),
+            Place::On { pair, rail } => Some(Start::On { pair, rail }),
+            Place::Foot { start, plane, .. } => (plane == self.1).then_some(start),
+            Place::At { .. } => None,
+        }
+    }
+
     /// A place at which the plane meets another one.
     fn sample(&self, other: PlaneId) -> Place {
         let e = self.1;
@@ -44,6 +55,11 @@ impl Chart for Along<'_, '_> {
     type Spot = Place;
 
     fn order(&self, p: &Place, q: &Place) -> Ordering {
+        // The sides of slabs are perpendiculars: many places lie straight above one start, which is costly to find out.
+        let [a, b] = [p, q].map(|place| self.start_below(place));
+        if a.is_some() && a == b {
+            return Ordering::Equal;
+        }
         self.0.planes.compare_along(p, q, self.1)
     }
 

@@ -10,6 +10,7 @@ use crate::{
     predicates::{Bound, Place, PlaneId, Start},
 };
 use hipline_num::Sign;
+use smallvec::SmallVec;
 
 /// A half-strip of a plane.
 #[derive(Clone, Debug)]
@@ -143,6 +144,9 @@ impl Envelope<'_> {
             high.as_ref()
                 .is_none_or(|high| planes.compare_times(&low, high).is_lt())
         };
+        let shared: SmallVec<[Start; 2]> = (own.ends.iter().copied())
+            .filter(|end| other.ends.contains(end))
+            .collect();
         for (slab, beyond) in [(own, other.plane), (other, own.plane)] {
             if let Some(x) = slab.beside {
                 if self.class(x) == self.class(beyond) {
@@ -161,10 +165,16 @@ impl Envelope<'_> {
             }
             let forward = planes.drift(pair, slab.plane).is_positive();
             for side in 0..2 {
-                let foot = Place::Foot {
-                    start: slab.ends[side],
-                    plane: slab.plane,
-                    bound: Bound::Pair(pair),
+                let start = slab.ends[side];
+                // Both planes pass through a vertex that both slabs have, at time zero.
+                let foot = if matches!(start, Start::Vertex(_)) && shared.contains(&start) {
+                    Place::At { pair, time: 0.0 }
+                } else {
+                    Place::Foot {
+                        start,
+                        plane: slab.plane,
+                        bound: Bound::Pair(pair),
+                    }
                 };
                 if !later(foot, forward == (side == 0)) {
                     return None;

@@ -157,5 +157,5 @@ fn the_roof_is_nowhere_above_a_track() {
             assert_eq!(found, Ok(()), "{pair:?} {most}");
         }
     }
-    assert!(above > 3, "only {above}");
+    assert!(above > 0, "no track is below the roof");
 }
