@@ -75,15 +75,18 @@ impl<'a, N: Number> Graph<'a, N> {
         }
     }
 
+    #[inline]
     pub(super) fn kind(&self, wave: u32) -> Kind {
         self.ring.kind(wave)
     }
 
+    #[inline]
     pub(super) fn link(&self, link: u32) -> &Link {
         &self.links[link as usize]
     }
 
     /// Where a node is, seen from a chain.
+    #[inline]
     pub(super) fn spot(&self, node: u32, side: Side) -> Spot<N> {
         let n = self.ring.count();
         let place = if node < n {
@@ -95,18 +98,27 @@ impl<'a, N: Number> Graph<'a, N> {
     }
 
     /// The place of a wall, or the height of a level edge, seen from its chain.
+    #[inline]
     pub(super) fn line(&self, wave: u32) -> N {
         let (x, y) = self.spot(self.ring.west_end(wave), self.ring.side(wave));
         if self.kind(wave) == Kind::Level { y } else { x }
     }
 
     /// When a wave reaches a place, seen from its chain.
+    #[inline]
     pub(super) fn time(&self, wave: u32, (x, y): Spot<N>) -> N {
         match self.kind(wave) {
             Kind::Level => y - self.line(wave),
             Kind::East => x - self.line(wave),
             Kind::West => self.line(wave) - x,
         }
+    }
+
+    /// Gives back what was taken in reserve.
+    pub(super) fn shrink(&mut self) {
+        self.links.shrink_to_fit();
+        self.events.shrink_to_fit();
+        self.seams.shrink_to_fit();
     }
 
     /// A new node where a wave is at a place, seen from its chain.

@@ -102,6 +102,7 @@ fn compute<N: Number>(figure: &Figure, monotone: &Monotone, unit: Unit) -> Skele
     chain::grow(&mut graph, Side::Lower);
     chain::grow(&mut graph, Side::Upper);
     merge::merge(&mut graph);
+    graph.shrink();
     let input = InputGraph {
         vertices: figure.vertices().len(),
         edges: figure

@@ -29,6 +29,7 @@ pub(super) trait Number:
 impl Number for i64 {
     const DIGITS: i32 = 58;
     const ZERO: Self = 0;
+    #[inline]
     fn of(x: f64) -> Self {
         x as Self
     }
@@ -43,6 +44,7 @@ impl Number for i64 {
 impl Number for i128 {
     const DIGITS: i32 = 122;
     const ZERO: Self = 0;
+    #[inline]
     fn of(x: f64) -> Self {
         x as Self
     }
@@ -217,6 +219,7 @@ impl Unit {
     }
 
     /// A coordinate in halves of the unit. Exact.
+    #[inline]
     pub(super) fn count<N: Number>(&self, x: f64) -> N {
         N::of(x * self.up[0] * self.up[1])
     }
@@ -225,6 +228,7 @@ impl Unit {
     ///
     /// It is rounded once: either the number has more digits than an f64 and the product is no smaller than the
     /// input, or it has not, so that only the last product may round.
+    #[inline]
     pub(super) fn value<N: Number>(&self, x: N) -> f64 {
         x.round() * self.down[0] * self.down[1]
     }
@@ -246,10 +250,13 @@ mod tests {
     }
 
     /// The wide integer of a narrow one, by way of f64s.
-    fn wide(x: i128) -> Wide {
-        let high = x as f64;
-        let rest = x - high as i128;
-        Wide::of(high) + Wide::of(rest as f64)
+    fn wide(mut x: i128) -> Wide {
+        let mut sum = Wide::ZERO;
+        while x != 0 {
+            sum = sum + Wide::of(x as f64);
+            x -= x as f64 as i128;
+        }
+        sum
     }
 
     #[test]

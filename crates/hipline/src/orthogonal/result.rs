@@ -71,16 +71,32 @@ pub(super) fn skeleton<N: Number>(mut graph: Graph<'_, N>, input: InputGraph) ->
     collector.collect_arcs();
     let (faces, cycles, corners) = collector.collect_faces(&visits);
     let Collector {
-        graph, arcs, names, ..
+        graph,
+        arcs,
+        names,
+        walls,
     } = collector;
     let Graph {
         ring,
-        events,
-        steps,
         links,
+        events,
+        right_first,
+        right_last,
+        left_last,
+        seams,
+        steps,
         ..
     } = graph;
-    drop((links, visits));
+    // The list of nodes is the largest of all; what is not needed any more goes before.
+    drop((
+        links,
+        seams,
+        visits,
+        right_first,
+        right_last,
+        left_last,
+        walls,
+    ));
     let mut nodes = Vec::with_capacity(names.count as usize);
     let nowhere = Node {
         x: 0.0,
@@ -180,6 +196,7 @@ impl<N: Number> Collector<'_, N> {
         }
     }
 
+    /// Adds an arc, unless it has no length.
     fn push(&mut self, ends: [u32; 2], faces: [u32; 2], kind: ArcKind) {
         let nodes = ends.map(|end| self.names.id(end));
         if nodes[0] != nodes[1] {
@@ -197,13 +214,16 @@ impl<N: Number> Collector<'_, N> {
         };
         let upper = self.graph.ring.side(link.west) == Side::Upper;
         let turned = |[west, east]: [u32; 2]| if upper { [east, west] } else { [west, east] };
-        let Some(pieces) = self.walls.pieces(Step::Link(at)) else {
+        if let Some(pieces) = self.walls.pieces(Step::Link(at)) {
+            for Piece { ends, faces } in pieces.to_vec() {
+                self.push(ends, turned(faces), kind);
+            }
+        } else {
             self.push([link.from, link.to], turned([link.west, link.east]), kind);
-            return;
-        };
-        for Piece { ends, faces } in pieces.to_vec() {
-            self.push(ends, turned(faces), kind);
         }
+        let named = &mut self.graph.links[at as usize];
+        named.from = self.names.of(link.from);
+        named.to = self.names.of(link.to);
     }
 
     fn collect_seam(&mut self, at: u32) {
@@ -221,13 +241,16 @@ impl<N: Number> Collector<'_, N> {
                 this.push([to, from], [lower, upper], kind);
             }
         };
-        let Some(pieces) = self.walls.pieces(Step::Seam(at)) else {
+        if let Some(pieces) = self.walls.pieces(Step::Seam(at)) {
+            for Piece { ends, faces } in pieces.to_vec() {
+                push(self, ends, faces);
+            }
+        } else {
             push(self, [seam.from, seam.to], [seam.lower, seam.upper]);
-            return;
-        };
-        for Piece { ends, faces } in pieces.to_vec() {
-            push(self, ends, faces);
         }
+        let named = &mut self.graph.seams[at as usize];
+        named.from = self.names.of(seam.from);
+        named.to = self.names.of(seam.to);
     }
 
     fn time(&self, node: u32) -> N {
@@ -280,26 +303,24 @@ impl<N: Number> Collector<'_, N> {
         (faces, cycles, corners)
     }
 
-    /// The corners of a face, seen from its chain, from the east end of its edge to the west end.
+    /// The corners of a face, seen from its chain, from the east end of its edge to the west end. Ends of arcs
+    /// have their final numbers already.
     fn around(&mut self, wave: u32, [first, last]: [u32; 2], corners: &mut Vec<NodeId>) {
         let at = wave as usize;
         let mut link = self.graph.right_first[at];
         while link != NONE {
-            if let Some(pieces) = self.walls.pieces(Step::Link(link)) {
-                for piece in pieces {
-                    add(corners, self.names.id(piece.ends[1]));
-                }
-            } else {
-                add(corners, self.names.id(self.graph.link(link).to));
+            let arc = *self.graph.link(link);
+            for piece in self.walls.pieces(Step::Link(link)).unwrap_or_default() {
+                add(corners, self.names.id(piece.ends[1]));
             }
+            add(corners, NodeId::raw(arc.to));
             if link == self.graph.right_last[at] {
                 break;
             }
-            link = self.graph.link(link).after;
+            link = arc.after;
         }
         if first != NONE {
             for seam in (first..=last).rev() {
-                add(corners, self.names.id(self.graph.seams[seam as usize].to));
                 for piece in self
                     .walls
                     .pieces(Step::Seam(seam))
@@ -309,13 +330,12 @@ impl<N: Number> Collector<'_, N> {
                 {
                     add(corners, self.names.id(piece.ends[1]));
                 }
-                add(corners, self.names.id(self.graph.seams[seam as usize].from));
+                add(corners, NodeId::raw(self.graph.seams[seam as usize].from));
             }
         }
         let mut link = self.graph.left_last[at];
         while link != NONE {
             let arc = *self.graph.link(link);
-            add(corners, self.names.id(arc.to));
             for piece in self
                 .walls
                 .pieces(Step::Link(link))
@@ -325,7 +345,7 @@ impl<N: Number> Collector<'_, N> {
             {
                 add(corners, self.names.id(piece.ends[1]));
             }
-            add(corners, self.names.id(arc.from));
+            add(corners, NodeId::raw(arc.from));
             link = arc.below;
         }
     }

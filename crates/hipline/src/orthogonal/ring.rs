@@ -88,11 +88,13 @@ impl<'a> Ring<'a> {
     }
 
     /// The number of corners.
+    #[inline]
     pub(super) fn count(&self) -> u32 {
         self.points.len() as u32
     }
 
     /// The vertex at a corner, which may also be the number of corners.
+    #[inline]
     pub(super) fn vertex(&self, corner: u32) -> u32 {
         let n = self.points.len();
         let corner = corner as usize;
@@ -108,11 +110,13 @@ impl<'a> Ring<'a> {
     }
 
     /// The figure's edge of a wave.
+    #[inline]
     pub(super) fn edge(&self, wave: u32) -> u32 {
         self.vertex(if self.forward { wave } else { wave + 1 })
     }
 
     /// The wave of a figure's edge.
+    #[inline]
     pub(super) fn wave(&self, edge: u32) -> u32 {
         let n = self.points.len();
         let edge = edge as usize;
@@ -124,10 +128,12 @@ impl<'a> Ring<'a> {
         (if wave < n { wave } else { wave - n }) as u32
     }
 
+    #[inline]
     pub(super) fn kind(&self, wave: u32) -> Kind {
         self.kinds[wave as usize]
     }
 
+    #[inline]
     pub(super) fn side(&self, wave: u32) -> Side {
         if wave < self.lower {
             Side::Lower
@@ -137,12 +143,14 @@ impl<'a> Ring<'a> {
     }
 
     /// Where a vertex is, seen from the lower chain.
+    #[inline]
     pub(super) fn place<N: Number>(&self, vertex: u32) -> Spot<N> {
         let [x, y] = self.points[vertex as usize].map(|x| self.unit.count::<N>(x));
         if self.turned { (y, -x) } else { (x, y) }
     }
 
     /// The vertex where a wave starts, going from west to east (up or down where that is no matter).
+    #[inline]
     pub(super) fn west_end(&self, wave: u32) -> u32 {
         self.vertex(match self.side(wave) {
             Side::Lower => wave,
@@ -151,6 +159,7 @@ impl<'a> Ring<'a> {
     }
 
     /// The ends of a wave, from west to east.
+    #[inline]
     pub(super) fn base(&self, wave: u32) -> [u32; 2] {
         let ends = [wave, wave + 1].map(|corner| self.vertex(corner));
         match self.side(wave) {
