@@ -37,4 +37,5 @@ mod wavefront;
 
 pub use engine::{Engine, NotApplicable};
 pub use input::{Figure, FigureBuilder, InvalidFigure, Polygon};
+pub use monotone::{Chain, InvalidChain};
 pub use skeleton::{Options, Region, Skeleton};

@@ -136,7 +136,7 @@ impl<'a> Chains<'a> {
         vertices: &'a [[f64; 2]],
         faces: usize,
         starts: &[Start],
-    ) -> Self {
+    ) -> Result<Self, Trouble> {
         let count: usize = starts.iter().map(|start| start.planes.len()).sum();
         let mut chains = Self {
             planes,
@@ -160,12 +160,12 @@ impl<'a> Chains<'a> {
         };
         chains.front.traces.reserve(3 * count);
         for start in starts {
-            chains.add(start);
+            chains.add(start)?;
         }
-        chains
+        Ok(chains)
     }
 
-    fn add(&mut self, start: &Start) {
+    fn add(&mut self, start: &Start) -> Result<(), Trouble> {
         let first = self.waves.len() as u32;
         let count = start.planes.len() as u32;
         for (i, &plane) in start.planes.iter().enumerate() {
@@ -200,8 +200,9 @@ impl<'a> Chains<'a> {
             self.front.after_base[a as usize] = Walk::Up(x);
             self.front.trace_mut(x).after_down = Walk::Base(b);
         }
-        self.start_straight(start.ends);
+        self.start_straight(start.ends)?;
         self.fresh.clear();
+        Ok(())
     }
 
     /// A new vertex at a node between two wavefront edges; where they are parallel it stands on

@@ -6,6 +6,7 @@
 //! The roofs of both meet in the merge chain ([`merge`]).
 
 mod boundary;
+mod chain;
 mod chains;
 mod merge;
 mod queue;
@@ -20,6 +21,7 @@ use crate::{
     topology::{EdgeId, WaveId},
     wavefront::{End, Walk, Wavefront},
 };
+pub use chain::{Chain, InvalidChain};
 use chains::{Chains, NONE, Side, Start, Trouble};
 use merge::Merge;
 
@@ -60,10 +62,11 @@ pub(crate) fn skeleton(figure: &Figure, region: Region) -> Result<Skeleton, NotA
     let planes = Planes::new(figure, &[]);
     let starts = split::split(monotone, figure.vertices().len());
     let faces = 2 * figure.edges().len();
-    let mut chains = Chains::new(&planes, figure.vertices(), faces, &starts);
-    merge_chains(&mut chains, &starts).map_err(|Trouble(plane)| NotApplicable::RunsAhead {
+    let refused = |Trouble(plane)| NotApplicable::RunsAhead {
         edge: EdgeId::new((plane.0 >> 1) as usize),
-    })?;
+    };
+    let mut chains = Chains::new(&planes, figure.vertices(), faces, &starts).map_err(refused)?;
+    merge_chains(&mut chains, &starts).map_err(refused)?;
     let stats = Stats {
         edge_events: chains.events,
         ..Stats::default()

@@ -13,7 +13,7 @@ use hipline_num::Sign;
 
 impl Chains<'_> {
     /// Neighbours on one line at time zero; the rays end at the given vertices, if they do.
-    pub(super) fn start_straight(&mut self, ends: [Option<u32>; 2]) {
+    pub(super) fn start_straight(&mut self, ends: [Option<u32>; 2]) -> Result<(), Trouble> {
         // What is on one line stays there: each run of straight vertices is on its own.
         let mut list = std::mem::take(&mut self.straight);
         list.reverse();
@@ -34,10 +34,11 @@ impl Chains<'_> {
                 if self.speeds_at(x).is_eq() {
                     self.join(x);
                 } else {
-                    self.overrun_at_start(x, ends);
+                    self.overrun_at_start(x, ends)?;
                 }
             }
         }
+        Ok(())
     }
 
     /// Removes the straight vertices of this moment.
@@ -171,12 +172,12 @@ impl Chains<'_> {
 
     /// At time zero the faster one of two wavefront edges on one line overruns the slower one,
     /// along its base.
-    fn overrun_at_start(&mut self, x: TraceId, ends: [Option<u32>; 2]) {
+    fn overrun_at_start(&mut self, x: TraceId, ends: [Option<u32>; 2]) -> Result<(), Trouble> {
         let [a, b] = self.beside(x).map(|w| w as usize);
         if self.speeds_at(x).is_lt() {
             let slow = self.waves[a];
             let far = match slow.start {
-                NONE => ends[0].expect("rays are not overrun without an end"),
+                NONE => ends[0].ok_or(Trouble(slow.plane))?,
                 start => self.trace(start).born,
             };
             let trace = self.front.trace_mut(x);
@@ -196,7 +197,7 @@ impl Chains<'_> {
         } else {
             let slow = self.waves[b];
             let far = match slow.end {
-                NONE => ends[1].expect("rays are not overrun without an end"),
+                NONE => ends[1].ok_or(Trouble(slow.plane))?,
                 end => self.trace(end).born,
             };
             self.front.trace_mut(x).end = End::At(far);
@@ -213,6 +214,7 @@ impl Chains<'_> {
             }
             self.takes_place(a as u32);
         }
+        Ok(())
     }
 
     /// The faster one of two wavefront edges on one line overruns the slower one, to its far end.
