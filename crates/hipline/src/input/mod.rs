@@ -7,7 +7,7 @@
 
 mod builder;
 mod change;
-#[cfg(any(test, debug_assertions))]
+#[cfg(debug_assertions)]
 mod check;
 mod collinear;
 mod convert;
