@@ -120,7 +120,8 @@ impl Figure {
     /// ```
     ///
     /// # Complexity
-    /// Near n log n on ordinary input, with memory linear in the number of triangles that the tracks go through.
+    /// Near n log n where tracks are short beside the triangles of the figure, with memory linear in the number of
+    /// triangles that the tracks go through; O(n^2 log n) and more where many long tracks go through many long triangles.
     ///
     /// # Errors
     /// If the figure is not made of polygons alone, or not all speeds are one.
