@@ -8,7 +8,7 @@
 //!
 //! In degenerate figures motorcycles meet: two or more are at one place at one moment. Then a new one starts
 //! there if the wavefront has a reflex vertex there afterwards: the *generalized* motorcycle graph of Held
-//! and Huber (2012; Mencil 2014, section 5.1). [`births`] has the rule. [`encounter`] has those for all
+//! and Huber (2012; Mencil 2014, section 5.1). `births` has the rule. `encounter` has those for all
 //! that two motorcycles can do to each other, so that every case has exactly one answer:
 //!
 //! * A motorcycle stops at the first point where it reaches a wall or the closed track of another one that
@@ -19,10 +19,10 @@
 //! * Walls and vertices count before tracks, tracks before meetings, low numbers before high ones.
 //! * Straight vertices of a figure send none.
 //!
-//! No coordinate takes part in a decision: a track is a pair of planes ([`tracks`]), a crash a definition
-//! ([`Place::On`](crate::predicates::Place)). [`race`] settles the crashes in the exact order of time. It is told of
-//! what may happen by a *ground*: [`pairs`], the definition in quadratic time; [`walk`], along the triangulation of
-//! a figure; [`grid`], for motorcycles that somebody placed ([`given`]). A ground may tell too much, and never
+//! No coordinate takes part in a decision: a track is a pair of planes (`tracks`), a crash a definition
+//! (`Place::On`). `race` settles the crashes in the exact order of time. It is told of
+//! what may happen by a *ground*: `pairs`, the definition in quadratic time; `walk`, along the triangulation of
+//! a figure; `grid`, for motorcycles that somebody placed (`given`). A ground may tell too much, and never
 //! too little, so grounds need no exact numbers of their own.
 
 mod births;
@@ -120,7 +120,8 @@ impl Figure {
     /// ```
     ///
     /// # Complexity
-    /// Near n log n on ordinary input, with memory linear in the number of triangles that the tracks go through.
+    /// Near n log n where tracks are short beside the triangles of the figure, with memory linear in the number of
+    /// triangles that the tracks go through; O(n^2 log n) and more where many long tracks go through many long triangles.
     ///
     /// # Errors
     /// If the figure is not made of polygons alone, or not all speeds are one.
