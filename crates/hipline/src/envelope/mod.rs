@@ -162,7 +162,7 @@ impl<'a> Envelope<'a> {
     fn end_of(&self, face: u32, side: usize) -> usize {
         let edge = &self.figure.edges()[face as usize / 2];
         let ends = [edge.from, edge.to];
-        ends[if face % 2 == 0 { side } else { 1 - side }].index()
+        ends[if face.is_multiple_of(2) { side } else { 1 - side }].index()
     }
 
     /// Finds the sides of edges on the inside, and which come one after another: those of one sector.
