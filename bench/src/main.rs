@@ -7,6 +7,7 @@
 //! worker     that process, seen from outside: started, waited for, ended at the limit
 //! campaign   which measurements to make, given those made before
 //! report     tables, verdicts, JSON
+//! engines    the engines side by side, where several apply
 //! roofs      roofs per second, which needs no process of its own
 //! ```
 //!
@@ -15,6 +16,7 @@
 //! `docs/benchmarks.md` tells how to run it and what the columns mean.
 
 mod campaign;
+mod engines;
 mod input;
 mod measure;
 mod options;
@@ -43,6 +45,11 @@ fn run() -> Result<(), String> {
     if arguments.first().is_some_and(|first| first == worker::FLAG) {
         arguments.remove(0);
         return worker::serve(&arguments);
+    }
+    match arguments.first() {
+        Some(first) if first == engines::WORKER => return engines::serve(&arguments[1..]),
+        Some(first) if first == engines::FLAG => return engines::run(arguments.split_off(1)),
+        _ => {}
     }
     let Some(options) = options::parse(arguments)? else {
         print!("{}", options::HELP);

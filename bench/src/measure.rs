@@ -97,7 +97,7 @@ pub fn measure(
 
 /// Whether to measure again: small inputs often, large ones at least three times or until it
 /// takes too long.
-fn again(repetitions: u32, spent: f64) -> bool {
+pub fn again(repetitions: u32, spent: f64) -> bool {
     match repetitions {
         0 => true,
         1..3 => spent < 6.0,
@@ -105,7 +105,8 @@ fn again(repetitions: u32, spent: f64) -> bool {
     }
 }
 
-fn timed<T>(work: impl FnOnce() -> T) -> (T, f64) {
+/// The result of some work, and how many seconds it took.
+pub fn timed<T>(work: impl FnOnce() -> T) -> (T, f64) {
     let start = ThreadTime::now();
     let result = work();
     (

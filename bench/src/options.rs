@@ -17,6 +17,8 @@ Measures hipline beside a plain constrained Delaunay triangulation (spade) of th
     --sizes N,M,..     vertices of the families' inputs [1000,10000,100000,1000000]
     --quick            the same as --sizes 1000,10000,100000
     --roofs            instead: roofs per second on the files of buildings
+    --engines          instead (as the first option; only --sizes may follow): the engines side by side on
+                       orthogonal monotone polygons, beside a sort of the vertices
     --side SIDE        interior or both sides of polygons [interior]
     --limit SECONDS    leave out what would take longer, judged by the sizes before [120]
     --data DIR         where the files are [../shared/data beside the repository]

@@ -19,6 +19,8 @@ use crate::parse::{
 };
 pub use observe::{Corners, Drained, PlaneArgs, QueryArgs, RainArgs, TerrainArgs};
 
+mod motorcycles;
+pub use motorcycles::MotorcyclesArgs;
 mod weights;
 pub use weights::{GableArgs, HeightsArg, WeightArgs};
 
@@ -31,6 +33,7 @@ Examples:
   hipline terrain rivers.geojson -o relief.png --contours 5
   hipline rain rivers.geojson --catchments system -o basins.png
   hipline query rivers.geojson --at 3,4
+  hipline motorcycles village.geojson -o tracks.svg
   hipline skeleton parcels.geojson > parcels.json
   hipline check parcels.geojson --result parcels.json
 
@@ -56,6 +59,7 @@ pub enum Command {
     Terrain(TerrainArgs),
     Rain(RainArgs),
     Query(QueryArgs),
+    Motorcycles(MotorcyclesArgs),
     Check(CheckArgs),
     Draw(DrawArgs),
     Completions(CompletionsArgs),
@@ -99,6 +103,11 @@ pub struct ComputeArgs {
     #[arg(long, value_name = "ENGINE", default_value = "auto")]
     pub engine: EngineArg,
 
+    /// Let every edge send out a rectangle of its own, so that nothing shoots ahead of acute
+    /// angles: the modified skeleton. Not with weights or heights
+    #[arg(long)]
+    pub modified: bool,
+
     /// Print counts and times to standard error
     #[arg(long)]
     pub stats: bool,
@@ -115,7 +124,9 @@ impl ComputeArgs {
     }
 
     pub fn options(self) -> Options {
-        Options::default().region(self.region())
+        Options::default()
+            .region(self.region())
+            .modified(self.modified)
     }
 }
 
@@ -135,6 +146,10 @@ pub enum EngineArg {
     Auto,
     /// The kinetic triangulation
     Kinetic,
+    /// Monotone polygons with positive speeds
+    Monotone,
+    /// Orthogonal monotone polygons, in linear time
+    Orthogonal,
     /// The lower envelope of slabs; for the inside of polygons with unit speeds
     Envelope,
 }
@@ -144,6 +159,8 @@ impl From<EngineArg> for Engine {
         match engine {
             EngineArg::Auto => Self::Auto,
             EngineArg::Kinetic => Self::Kinetic,
+            EngineArg::Monotone => Self::Monotone,
+            EngineArg::Orthogonal => Self::Orthogonal,
             EngineArg::Envelope => Self::Envelope,
         }
     }
@@ -262,6 +279,7 @@ pub struct SizeArgs {
 Examples:
   hipline skeleton village.geojson -o village.svg
   hipline skeleton coast.wkt --side exterior -o coast.json --stats
+  hipline skeleton stars.geojson --modified --side both -o stars.svg
   hipline skeleton house.geojson --gable 1 --gable 3 -o house.svg
   hipline skeleton house.geojson --profile 0:1,2.5:4 -o mansard.svg
   hipline skeleton streets.graphml --format geojson > faces.geojson

@@ -5,10 +5,6 @@ use std::{
     any::Any,
     io::{self, IsTerminal},
     panic::{AssertUnwindSafe, catch_unwind},
-    sync::{
-        Mutex, PoisonError,
-        atomic::{AtomicUsize, Ordering},
-    },
     time::{Duration, Instant},
 };
 
@@ -18,6 +14,7 @@ use hipline::{
 };
 use hipline_io::FeatureName;
 use indicatif::{ProgressBar, ProgressStyle};
+use rayon::prelude::*;
 
 use crate::{
     args::ComputeArgs,
@@ -67,28 +64,16 @@ pub fn each<T: Send>(
     compute: impl Fn(&Item, Option<&Figure>) -> Result<T, String> + Sync,
 ) -> Vec<Computed<T>> {
     let progress = progress(items);
-    let next = AtomicUsize::new(0);
-    let results: Vec<Mutex<Option<Computed<T>>>> = items.iter().map(|_| Mutex::new(None)).collect();
-    let work = || {
-        while let Some(i) = Some(next.fetch_add(1, Ordering::Relaxed)).filter(|i| *i < items.len())
-        {
-            let computed = one(&items[i], &compute);
-            *results[i].lock().unwrap_or_else(PoisonError::into_inner) = Some(computed);
-            progress.inc(items[i].points() as u64);
-        }
-    };
-    let threads = std::thread::available_parallelism().map_or(1, usize::from);
-    std::thread::scope(|scope| {
-        for _ in 1..threads.min(items.len()) {
-            scope.spawn(work);
-        }
-        work();
-    });
+    let results = items
+        .par_iter()
+        .map(|item| {
+            let computed = one(item, &compute);
+            progress.inc(item.points() as u64);
+            computed
+        })
+        .collect();
     progress.finish_and_clear();
     results
-        .into_iter()
-        .filter_map(|result| result.into_inner().unwrap_or_else(PoisonError::into_inner))
-        .collect()
 }
 
 fn one<T>(

@@ -96,6 +96,16 @@ pub fn parse(args: &InputArgs, gables: &GableArgs, bytes: &[u8]) -> Result<Input
     })
 }
 
+/// Reads a file for its geometry alone, in the format that it seems to have.
+pub fn plain(path: &Path) -> Result<Document, Failure> {
+    let bytes = bytes(path)?;
+    let failed = |e: &dyn Display| Failure::Input(format!("{}: {e}", name(path)));
+    let format = Format::from_path(path)
+        .or_else(|unknown| Format::from_content(&bytes).map_err(|_| unknown))
+        .map_err(|e| Failure::Input(e.to_string()))?;
+    read(&bytes, format).map_err(|e| failed(&e))
+}
+
 /// Standard input can be read once.
 fn one_stream(args: &InputArgs) -> Result<(), Failure> {
     let weights = args.weights.weights.as_deref();

@@ -98,6 +98,7 @@ fn help() {
           terrain      Turn rivers, lakes and coasts into a terrain
           rain         Follow rain: the path of a drop, or what drains where
           query        Ask for height, face and input edge at points
+          motorcycles  Compute the motorcycle graphs of polygons, or of motorcycles in a table
           check        Check an input, or a result against it
           draw         Draw an input or a skeleton as it is, without computing
           completions  Print a script that completes hipline's commands and flags in a shell
@@ -115,6 +116,7 @@ fn help() {
           hipline terrain rivers.geojson -o relief.png --contours 5
           hipline rain rivers.geojson --catchments system -o basins.png
           hipline query rivers.geojson --at 3,4
+          hipline motorcycles village.geojson -o tracks.svg
           hipline skeleton parcels.geojson > parcels.json
           hipline check parcels.geojson --result parcels.json
 

@@ -41,5 +41,5 @@ pub use document::{Document, Feature, GraphShape, LineShape, PolygonShape, Shape
 pub use error::{FeatureName, FigureError, ReadError, Reason};
 pub use format::Format;
 pub use motion::{Motion, Profile};
-pub use read::{SkeletonRecord, read, read_settings, read_skeleton, read_skeletons};
+pub use read::{SkeletonRecord, read, read_launches, read_settings, read_skeleton, read_skeletons};
 pub use setting::{Setting, SettingError, SettingErrors, Target, Value};

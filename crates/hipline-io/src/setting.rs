@@ -211,6 +211,18 @@ impl Document {
         }
         Ok(())
     }
+
+    /// Divides all heights of vertices by a slope, which makes times of them: heights of a surface that
+    /// rises by `slope` for each unit of time. Each quotient is rounded once.
+    pub fn divide_heights(&mut self, slope: f64) {
+        for feature in &mut self.features {
+            for chain in chains(&mut feature.case) {
+                for height in chain.motion.heights.values_mut() {
+                    *height /= slope;
+                }
+            }
+        }
+    }
 }
 
 /// Different settings for the very same target.

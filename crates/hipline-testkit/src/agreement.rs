@@ -78,7 +78,8 @@ impl Drawn {
     /// An arc from its parts.
     #[must_use]
     pub fn new(mut ends: [End; 2], mut faces: [FaceName; 2], kind: ArcKind) -> Self {
-        if ends[0] > ends[1] {
+        // Ends that round to one place leave the faces alone to go by.
+        if ends[0] > ends[1] || ends[0] == ends[1] && faces[0] > faces[1] {
             ends.reverse();
             faces.reverse();
         }

@@ -59,6 +59,16 @@ fn absent(folder: &str, words: &[&str]) {
     );
 }
 
+/// The same for one file.
+fn absent_in(file: &str, words: &[&str]) {
+    let path = repository().join("crates").join(file);
+    let text = fs::read_to_string(&path).expect("text");
+    let found: Vec<_> = code(&text)
+        .filter(|(_, line)| words.iter().any(|word| line.contains(word)))
+        .collect();
+    assert!(found.is_empty(), "{words:?} in {file}: {found:?}");
+}
+
 #[test]
 fn dependencies_point_one_way() {
     absent("hipline-num/src", &["hipline::", "spade", "robust"]);
@@ -72,6 +82,27 @@ fn dependencies_point_one_way() {
         &["kinetic", "skeleton::{", "offset::", "roof::", "observe::"],
     );
     absent("hipline/src/kinetic", &["offset::", "roof::", "observe::"]);
+    absent(
+        "hipline/src/monotone",
+        &[
+            "kinetic::",
+            "orthogonal::",
+            "offset::",
+            "roof::",
+            "observe::",
+        ],
+    );
+    absent(
+        "hipline/src/orthogonal",
+        &[
+            "kinetic::",
+            "predicates::",
+            "wavefront::",
+            "offset::",
+            "roof::",
+            "observe::",
+        ],
+    );
     absent(
         "hipline/src/envelope",
         &["kinetic::", "offset::", "roof::", "observe::"],
@@ -94,6 +125,16 @@ fn dependencies_point_one_way() {
         &["kinetic::", "offset::", "predicates::"],
     );
     absent(
+        "hipline/src/motorcycle",
+        &[
+            "kinetic::",
+            "offset::",
+            "roof::",
+            "observe::",
+            "centreline::",
+        ],
+    );
+    absent(
         "hipline/src",
         &["std::fs", "std::io", "println!", "hipline_io"],
     );
@@ -105,9 +146,28 @@ fn dependencies_point_one_way() {
 #[test]
 fn decisions_know_no_tolerance() {
     absent(
+        "hipline/src/monotone",
+        &["f64::EPSILON", "sqrt", ".abs()", "1e-", "as f64"],
+    );
+    absent(
         "hipline/src/kinetic",
         &["f64::EPSILON", "sqrt", ".abs()", "1e-"],
     );
+    // Nor a logarithm (nor what sorts or searches in logarithmic time) where everything is linear.
+    for file in ["chain", "graph", "merge", "result", "ring", "runs"] {
+        absent_in(
+            &format!("hipline/src/orthogonal/{file}.rs"),
+            &[
+                "sort",
+                "binary_search",
+                "BTree",
+                ".log",
+                "sqrt",
+                ".abs()",
+                "partition_point",
+            ],
+        );
+    }
     // `cells.rs` chooses cuts and shortens lists with f64; nothing there decides what the result is.
     absent("hipline/src/envelope", &["f64::EPSILON", "sqrt", "1e-"]);
     for folder in ["hipline/src", "hipline-io/src"] {
@@ -155,7 +215,11 @@ fn nothing_depends_on_hash_order_or_clocks() {
         "engine",
         "envelope",
         "kinetic",
+        "monotone",
+        "orthogonal",
+        "motorcycle",
         "wavefront",
+        "lift",
         "predicates",
         "topology",
         "skeleton",

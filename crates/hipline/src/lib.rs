@@ -6,8 +6,11 @@
 //! topology/    ids                               reads no coordinate
 //! engine/      which engine applies
 //! kinetic/     the kinetic triangulation engine (Aichholzer & Aurenhammer 1996)
+//! monotone/    the engine for monotone polygons, and chains (Biedl and others 2015)
+//! orthogonal/  the engine for orthogonal monotone polygons (Eder, Held & Palfrader 2019)
 //! wavefront/   what an engine leaves behind
 //! skeleton/    nodes, arcs, faces, verify        the only way out
+//! lift/        from the result back to the planes
 //! motorcycle/  motorcycle graphs
 //! offset/      the wavefront at given distances
 //! centreline/  the approximate medial axis
@@ -20,9 +23,12 @@ pub mod engine;
 mod envelope;
 pub mod input;
 mod kinetic;
+mod lift;
+mod monotone;
 pub mod motorcycle;
 pub mod observe;
 pub mod offset;
+mod orthogonal;
 mod predicates;
 pub mod roof;
 pub mod skeleton;
@@ -31,4 +37,5 @@ mod wavefront;
 
 pub use engine::{Engine, NotApplicable};
 pub use input::{Figure, FigureBuilder, InvalidFigure, Polygon};
+pub use monotone::{Chain, InvalidChain};
 pub use skeleton::{Options, Region, Skeleton};

@@ -9,6 +9,7 @@
 use hipline::{
     Figure, FigureBuilder, Options, Region, Skeleton,
     input::{Flaw, Place},
+    observe::Index,
     skeleton::{ArcKind, NodeKind, Side},
     topology::{FaceId, VertexId},
 };
@@ -316,4 +317,87 @@ fn random_lines_with_heights_obey_the_laws() {
         }
     }
     assert!(attained[1] > 200 && attained[0] > 5, "{attained:?}");
+}
+
+/// How often closed loops go around a point.
+fn winding(loops: &[hipline::offset::OffsetLoop], [x, y]: [f64; 2]) -> i32 {
+    let mut around = 0;
+    for points in loops.iter().map(|l| l.points()) {
+        for (i, p) in points.iter().enumerate() {
+            let q = points[(i + 1) % points.len()];
+            let is_left = (q[0] - p[0]) * (y - p[1]) - (x - p[0]) * (q[1] - p[1]);
+            if p[1] <= y && q[1] > y && is_left > 0.0 {
+                around += 1;
+            } else if p[1] > y && q[1] <= y && is_left < 0.0 {
+                around -= 1;
+            }
+        }
+    }
+    around
+}
+
+/// The offsets enclose what point location says is not yet reached.
+fn check_offsets(figure: &Figure, skeleton: &Skeleton, seed: u64) -> [usize; 2] {
+    let distances = [0.25, 0.5, 0.75, 1.0, 1.6, 3.0];
+    let offsets = skeleton.offsets(figure, &distances).expect("distances");
+    let index = Index::new(skeleton, figure);
+    let everywhere = i32::from(skeleton.region() != Region::Interior);
+    let mut seen = [0; 2];
+    for k in 0..256 {
+        let point = [k % 16, k / 16].map(f64::from);
+        let point = [point[0] * 1.173 - 1.621, point[1] * 1.1917 - 1.7043];
+        let Ok(answer) = index.locate(point) else {
+            continue;
+        };
+        for (offset, d) in offsets.iter().zip(distances) {
+            if (answer.time - d).abs() > 1e-9 {
+                let around = everywhere + winding(offset.loops(), point);
+                assert_eq!(
+                    around,
+                    i32::from(answer.time > d),
+                    "seed {seed}: {:?} {:?}: {point:?} is reached at {}, offset {d} {:?}",
+                    figure.vertices(),
+                    (0..figure.vertices().len())
+                        .map(|v| figure.height(VertexId::new(v)))
+                        .collect::<Vec<_>>(),
+                    answer.time,
+                    offset.loops()
+                );
+                seen[usize::from(answer.time > d)] += 1;
+            }
+        }
+    }
+    seen
+}
+
+#[test]
+fn offsets_know_walls_and_tilted_eaves() {
+    let mut seen = [0; 2];
+    let mut lines = 0;
+    for seed in 0..600 {
+        let mut random = Random(seed ^ 0x0ff5e7);
+        let n = 3 + random.below(5) as usize;
+        let points: Vec<[f64; 2]> = (0..n)
+            .map(|_| [0, 1].map(|_| 2.0 * random.below(8) as f64))
+            .collect();
+        let heights: Vec<f64> = (0..n).map(|_| random.below(4) as f64 * 0.25).collect();
+        let is_line = random.below(2) == 0;
+        let builder = if is_line {
+            line(&points, &heights)
+        } else {
+            polygon(&points, &heights)
+        };
+        let Ok(figure) = builder.build() else {
+            continue;
+        };
+        lines += usize::from(is_line);
+        let skeleton = figure.skeleton(Options::default());
+        let here = check_offsets(&figure, &skeleton, seed);
+        seen[0] += here[0];
+        seen[1] += here[1];
+    }
+    assert!(
+        seen[0] > 10_000 && seen[1] > 10_000 && lines > 50,
+        "{seen:?} {lines}"
+    );
 }

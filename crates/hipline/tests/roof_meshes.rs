@@ -466,3 +466,24 @@ fn everything_else() {
     let others: Vec<&str> = names.filter(|s| !BUILDINGS.contains(s)).collect();
     all_data(&others, 300);
 }
+
+#[test]
+fn the_break_of_a_roof_of_given_height_is_where_it_is_asked_for() {
+    let ring = vec![[0.0, 0.0], [14.0, 0.0], [14.0, 12.0], [0.0, 12.0]];
+    let polygon = hipline::Polygon::new([ring]).expect("a polygon");
+    for shape in [RoofShape::Mansard, RoofShape::Gambrel] {
+        let options = RoofOptions {
+            shape,
+            steepness: hipline::roof::Steepness::Height(4.5),
+            break_height: 2.0,
+            eaves: 5.5,
+            ..RoofOptions::default()
+        };
+        let mesh = polygon.figure().roof(&options).expect("a roof");
+        let heights: Vec<f64> = mesh.vertices().iter().map(|v| v[2]).collect();
+        let has = |z: f64| heights.iter().any(|h| (h - z).abs() < 1e-9);
+        assert!(has(5.5) && has(7.5) && has(10.0), "{shape:?}: {heights:?}");
+        assert!(heights.iter().all(|h| *h < 10.0 + 1e-9), "{shape:?}");
+        mesh.check().expect("a solid");
+    }
+}

@@ -3,6 +3,7 @@
 mod centreline;
 mod check;
 mod draw;
+mod motorcycles;
 mod offset;
 mod points;
 mod query;
@@ -34,6 +35,7 @@ pub fn run(command: Command) -> Result<Outcome, Failure> {
         Command::Roof(args) => roof::run(&args),
         Command::Terrain(args) => terrain::run(&args),
         Command::Rain(args) => rain::run(&args),
+        Command::Motorcycles(args) => motorcycles::run(&args),
         Command::Query(args) => query::run(&args),
         Command::Check(args) => check::run(&args),
         Command::Draw(args) => draw::run(&args),

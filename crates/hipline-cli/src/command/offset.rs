@@ -2,7 +2,7 @@
 
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use hipline::{Figure, Region, Skeleton, offset::Offset, topology::VertexId};
+use hipline::{Figure, Region, Skeleton, offset::Offset};
 
 use super::write_offset;
 use crate::{
@@ -44,10 +44,6 @@ pub fn run(args: &OffsetArgs) -> Result<Outcome, Failure> {
         if never_ends(args, figure) {
             endless.store(true, Ordering::Relaxed);
             return Err("its offsets never end".to_owned());
-        }
-        let mut vertices = (0..figure.vertices().len()).map(VertexId::new);
-        if vertices.any(|v| figure.height(v) > 0.0) {
-            return Err("offsets of figures with heights are not computed yet".to_owned());
         }
         let skeleton = compute::skeleton(item, figure, args.compute)?;
         let distances = distances(args, &skeleton)?;

@@ -23,7 +23,7 @@ type Row = ([f64; 2], Result<Answer, NoAnswer>);
 pub fn run(args: &QueryArgs) -> Result<Outcome, Failure> {
     let targets = output::targets(&args.output, Csv, &FORMATS)?;
     let points = points::all(&args.at, args.points.as_deref())?;
-    let mut scene = Scene::load(&args.input, &args.compute)?;
+    let mut scene = Scene::load(&args.input, &args.compute, args.surface.slope)?;
     let index = Index::new(scene.skeleton(), &scene.figure);
     let rows: Vec<Row> = if let Some(cell) = args.grid {
         let grid = Grid::new(scene.window(args.window)?, cell)

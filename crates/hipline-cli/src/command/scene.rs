@@ -9,8 +9,8 @@ use hipline::{
 use hipline_io::write::HeightsError;
 
 use crate::{
-    args::{ComputeArgs, Corners, PlaneArgs},
-    compute::{Computed, Watch, skeletons},
+    args::{ComputeArgs, Corners, PlaneArgs, SideArg},
+    compute::{Computed, Watch, each, empty, skeleton},
     failure::Failure,
     input::{self, Input, Item},
 };
@@ -27,12 +27,24 @@ pub struct Scene {
 }
 
 impl Scene {
-    /// Reads and computes what was asked for.
-    pub fn load(args: &PlaneArgs, compute: &ComputeArgs) -> Result<Self, Failure> {
+    /// Reads and computes what was asked for. Heights of vertices are those of a surface with the
+    /// given slope.
+    pub fn load(args: &PlaneArgs, compute: &ComputeArgs, slope: f64) -> Result<Self, Failure> {
         let mut watch = Watch::start();
-        let document = input::document(&args.input())?;
+        let mut document = input::document(&args.input())?;
+        document.document.divide_heights(slope);
         watch.lap("read");
-        let mut computed = skeletons(&[Item::Together(&document)], *compute);
+        let mut computed = each(&[Item::Together(&document)], |item, figure| {
+            let Some(figure) = figure else {
+                return Ok(empty(compute.region()));
+            };
+            let mut compute = *compute;
+            // Where there are lines beside polygons, none of them is left out.
+            if compute.side.is_none() && figure.edges().iter().any(|edge| !edge.on_ring) {
+                compute.side = Some(SideArg::Both);
+            }
+            skeleton(item, figure, compute)
+        });
         watch.lap("compute");
         let one = computed.first_mut();
         let figure = one.and_then(|c| c.figure.take());

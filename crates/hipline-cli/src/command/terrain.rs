@@ -23,7 +23,7 @@ const MOST_LINES: f64 = 1e5;
 
 pub fn run(args: &TerrainArgs) -> Result<Outcome, Failure> {
     let targets = output::targets(&args.output, Obj, &FORMATS)?;
-    let mut scene = Scene::load(&args.input, &args.compute)?;
+    let mut scene = Scene::load(&args.input, &args.compute, args.surface.slope)?;
     let window = scene.window(args.window)?;
     let terrain = Terrain::new(scene.skeleton(), &scene.figure, window)
         .map_err(|e| Failure::Input(e.to_string()))?;

@@ -2,6 +2,7 @@
 
 mod geojson;
 mod graphml;
+mod launches;
 mod line;
 mod obj;
 mod position;
@@ -11,6 +12,7 @@ mod text;
 mod weights;
 mod wkt;
 
+pub use launches::read_launches;
 pub use skeleton::{SkeletonRecord, read_skeleton, read_skeletons};
 pub use table::read_settings;
 pub(crate) use text::short;

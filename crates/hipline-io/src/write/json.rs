@@ -172,6 +172,7 @@ fn object(w: &mut impl Write, skeleton: &Skeleton) -> io::Result<()> {
         edge_events,
         split_events,
         flips,
+        steps,
         by_f64,
         by_double_double,
         by_wide,
@@ -179,7 +180,7 @@ fn object(w: &mut impl Write, skeleton: &Skeleton) -> io::Result<()> {
     } = skeleton.stats();
     write!(
         w,
-        "\"stats\":{{\"edge_events\":{edge_events},\"split_events\":{split_events},\"flips\":{flips},\
+        "\"stats\":{{\"edge_events\":{edge_events},\"split_events\":{split_events},\"flips\":{flips},\"steps\":{steps},\
          \"by_f64\":{by_f64},\"by_double_double\":{by_double_double},\"by_wide\":{by_wide},\"by_exact\":{by_exact}}}}}"
     )
 }

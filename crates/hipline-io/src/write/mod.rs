@@ -10,6 +10,7 @@ mod geojson;
 mod heights;
 mod json;
 mod mesh;
+mod motorcycles;
 mod number;
 mod obj;
 mod observed;
@@ -34,6 +35,9 @@ pub use json::{ResultsJson, json};
 pub use mesh::{
     Building, PlyEncoding, mesh_cityjson, mesh_glb, mesh_gltf, mesh_obj, mesh_ply, mesh_stl,
 };
+#[cfg(feature = "png")]
+pub use motorcycles::motorcycles_png;
+pub use motorcycles::{Tracks, motorcycles_geojson, motorcycles_json, motorcycles_svg};
 pub use obj::{ObjWriter, obj};
 pub use observed::{catchments_geojson, contours_geojson, drops_geojson, terrain_obj};
 pub use picture::{Layers, OffsetLine, Picture};

@@ -14,6 +14,8 @@ pub(super) const BACKGROUND: &str = "#fbfaf6";
 pub(super) const INPUT: &str = "#23272e";
 pub(super) const NODE: &str = "#23272e";
 pub(super) const OFFSET: &str = "#6b4a8c";
+pub(super) const TRACK: &str = "#2c6d9e";
+pub(super) const BORN: &str = "#c4452c";
 pub(super) const LABEL: &str = "#4b5058";
 
 /// Sunlit and averted faces; what lies between is mixed.

@@ -32,25 +32,30 @@ impl Picture<'_> {
     ///
     /// # Errors
     /// A size of 0 or beyond 16384, and the errors of `w`.
-    pub fn png(&self, mut w: impl Write, size: u32) -> Result<(), PictureError> {
-        if !(1..=LARGEST).contains(&size) {
-            return Err(PictureError::Size(size));
-        }
+    pub fn png(&self, w: impl Write, size: u32) -> Result<(), PictureError> {
         let mut svg = Vec::new();
         self.svg(&mut svg)?;
-        let tree = usvg::Tree::from_data(&svg, &usvg::Options::default()).map_err(raster)?;
-        let scale = size as f32 / tree.size().width().max(tree.size().height());
-        let [width, height] = [tree.size().width(), tree.size().height()]
-            .map(|s| ((s * scale).round() as u32).max(1));
-        let mut pixels = tiny_skia::Pixmap::new(width, height).ok_or(PictureError::Size(size))?;
-        resvg::render(
-            &tree,
-            tiny_skia::Transform::from_scale(scale, scale),
-            &mut pixels.as_mut(),
-        );
-        w.write_all(&pixels.encode_png().map_err(raster)?)?;
-        Ok(())
+        rasterise(&svg, w, size)
     }
+}
+
+/// Draws an SVG as PNG whose longer side has `size` pixels.
+pub(super) fn rasterise(svg: &[u8], mut w: impl Write, size: u32) -> Result<(), PictureError> {
+    if !(1..=LARGEST).contains(&size) {
+        return Err(PictureError::Size(size));
+    }
+    let tree = usvg::Tree::from_data(svg, &usvg::Options::default()).map_err(raster)?;
+    let scale = size as f32 / tree.size().width().max(tree.size().height());
+    let [width, height] =
+        [tree.size().width(), tree.size().height()].map(|s| ((s * scale).round() as u32).max(1));
+    let mut pixels = tiny_skia::Pixmap::new(width, height).ok_or(PictureError::Size(size))?;
+    resvg::render(
+        &tree,
+        tiny_skia::Transform::from_scale(scale, scale),
+        &mut pixels.as_mut(),
+    );
+    w.write_all(&pixels.encode_png().map_err(raster)?)?;
+    Ok(())
 }
 
 pub(super) fn raster(e: impl std::fmt::Display) -> PictureError {

@@ -3,12 +3,16 @@
 mod family;
 mod grid;
 mod maze;
+mod monotone;
+mod orthogonal;
 mod random;
 mod shapes;
 mod small;
 mod weighted;
 
 pub use family::Family;
+pub use monotone::{monotone_large, monotone_small, monotone_weighted};
+pub use orthogonal::{Columns, columns, orthogonal, subdivide};
 pub use random::Random;
 pub use small::{Kind, small, small_of, weigh};
 pub use weighted::{Weights, change_speeds, small_weighted};

@@ -12,6 +12,7 @@ mod graph;
 mod laws;
 mod model;
 mod motion;
+mod motorcycles;
 mod number;
 mod ratio;
 mod rebuild;
@@ -20,4 +21,5 @@ mod wave;
 
 pub use graph::{Graph, GraphChange, GraphEdge};
 pub use laws::check_laws;
+pub use motorcycles::{RefMotorcycle, reference_launches, reference_motorcycles};
 pub use result::{RefArc, RefKind, RefNode, Reference, reference};

@@ -1,7 +1,7 @@
 //! Which arcs of a skeleton belong to the centreline.
 
 use crate::{
-    offset::Lift,
+    lift::Lift,
     skeleton::{ArcKind, NodeKind, Skeleton},
     topology::{ArcId, NodeId},
 };

@@ -44,7 +44,7 @@ mod ends;
 mod graph;
 mod lines;
 
-use crate::{input::Figure, offset::Lift, skeleton::Skeleton, topology::NodeId};
+use crate::{input::Figure, lift::Lift, skeleton::Skeleton, topology::NodeId};
 use graph::Graph;
 use hipline_num::hypot;
 

@@ -1,13 +1,12 @@
 //! Which engine computes a skeleton.
 //!
 //! All engines give the same result, arc for arc and bit for bit; they differ in what they apply to and
-//! in what they cost. Each one hands a [`Wavefront`](crate::wavefront) to the assembly of the
-//! result, and knows nothing of the others.
+//! in what they cost. Each one knows nothing of the others.
 
 use crate::{
     envelope,
     input::Figure,
-    kinetic,
+    kinetic, monotone, orthogonal,
     skeleton::{Options, Region, Skeleton},
     topology::EdgeId,
 };
@@ -21,6 +20,12 @@ pub enum Engine {
     Auto,
     /// The kinetic triangulation (Aichholzer & Aurenhammer 1996). Applies to everything.
     Kinetic,
+    /// Two chains and their merge (Biedl and others, 2015). Applies to the inside of monotone
+    /// polygons, with positive speeds.
+    Monotone,
+    /// Skeletons of two chains, merged (Eder, Held & Palfrader 2019), in linear time. Applies to the inside of one polygon without
+    /// holes that is monotone and whose edges are parallel to the axes and of speed 1.
+    Orthogonal,
     /// The lower envelope of the slabs of edges and motorcycles (Mencil 2014). Applies to the inside of polygons
     /// with unit speeds and without heights.
     Envelope,
@@ -45,34 +50,94 @@ pub enum NotApplicable {
         /// The edge, as the figure numbers them.
         edge: EdgeId,
     },
+    /// The ring is monotone in no direction, or touches itself.
+    #[error("the polygon is not monotone in any direction")]
+    NotMonotone,
+    /// Speeds let one of a polygon's two chains run over what the other one has cut off.
+    #[error("with these speeds, the chain of edge {} gets ahead of what the other chain cut off", .edge.index())]
+    RunsAhead {
+        /// An edge there, as the figure numbers them.
+        edge: EdgeId,
+    },
+    /// An edge is not parallel to an axis.
+    #[error("edge {} is not parallel to an axis", .edge.index())]
+    NotOrthogonal {
+        /// The edge, as the figure numbers them.
+        edge: EdgeId,
+    },
     /// A vertex has a height.
     #[error("the figure has heights")]
     Heights,
+    /// The modified skeleton is asked for.
+    #[error("modified skeletons are computed by the kinetic engine only")]
+    Modified,
 }
+
+/// From this number of edges on, the engine for monotone polygons is the faster one: see `docs/engines.md`.
+const MONOTONE_PAYS: usize = 4;
 
 impl Figure {
     /// The straight skeleton, by the fastest engine that applies.
     ///
     /// Exact: all decisions are signs of exact numbers; coordinates and times of the result
-    /// are correctly rounded. Total: every figure has a skeleton.
+    /// are correctly rounded. Total: every figure has a skeleton. Where [`Options::modified`] does not
+    /// apply, because of speeds or heights, it is without effect.
     ///
     /// # Complexity
     /// O(n) memory; about n log n time on ordinary input, O(n^3 log n) at worst (Lemma 5 of Aichholzer & Aurenhammer 1996).
+    /// O(n log n) time for [`Engine::Monotone`], O(n) for [`Engine::Orthogonal`].
     #[must_use]
     pub fn skeleton(&self, options: Options) -> Skeleton {
-        kinetic::skeleton(self, self.region(options))
+        let region = self.region(options);
+        if options.modified && self.not_plain().is_none() {
+            return kinetic::skeleton(self, region, true);
+        }
+        match orthogonal::applies(self, region) {
+            Ok(monotone) => orthogonal::skeleton(self, monotone),
+            Err(_) if self.edges().len() >= MONOTONE_PAYS => monotone::skeleton(self, region)
+                .unwrap_or_else(|_| kinetic::skeleton(self, region, false)),
+            Err(_) => kinetic::skeleton(self, region, false),
+        }
     }
 
     /// The straight skeleton by the engine of one's choice. It is the same, bit for bit up to the order of nodes and
     /// arcs, whichever computes it.
     ///
     /// # Errors
-    /// If the engine does not apply to this figure: why.
+    /// If the engine or an option does not apply to this figure: why.
     pub fn skeleton_by(&self, engine: Engine, options: Options) -> Result<Skeleton, NotApplicable> {
-        match engine {
-            Engine::Auto | Engine::Kinetic => Ok(kinetic::skeleton(self, self.region(options))),
-            Engine::Envelope => envelope::skeleton(self, self.region(options)),
+        let region = self.region(options);
+        if options.modified {
+            if let Some(reason) = self.not_plain() {
+                return Err(reason);
+            }
+            return match engine {
+                Engine::Auto | Engine::Kinetic => Ok(kinetic::skeleton(self, region, true)),
+                _ => Err(NotApplicable::Modified),
+            };
         }
+        match engine {
+            Engine::Auto => Ok(self.skeleton(options)),
+            Engine::Kinetic => Ok(kinetic::skeleton(self, region, false)),
+            Engine::Monotone => monotone::skeleton(self, region),
+            Engine::Orthogonal => {
+                let monotone = orthogonal::applies(self, region)?;
+                Ok(orthogonal::skeleton(self, monotone))
+            }
+            Engine::Envelope => envelope::skeleton(self, region),
+        }
+    }
+
+    /// What keeps the modified skeleton from being defined: a speed or a height.
+    fn not_plain(&self) -> Option<NotApplicable> {
+        if self.is_plain() {
+            return None;
+        }
+        #[expect(clippy::float_cmp, reason = "asks for the number one itself")]
+        let fast = self.edges().iter().position(|e| e.speeds != [1.0, 1.0]);
+        let edge = fast.map(EdgeId::new);
+        let edge = edge.or_else(|| self.changes().first().map(|change| change.edge));
+        Some(edge.map_or(NotApplicable::Heights, |edge| NotApplicable::Speed { edge }))
     }
 
     /// The part of the plane to cover, never [`Region::Auto`].

@@ -2,7 +2,7 @@
 
 use super::{
     Change, Figure, Flaw, InvalidFigure, Place, change::Changes, crossing, gather, height,
-    height::Heights, nesting, range::Scale, triangulate,
+    height::Heights, nesting, range::Scale, single, triangulate,
 };
 
 /// Collects polygons, polylines and graphs, then checks them all at once.
@@ -32,9 +32,9 @@ use super::{
 /// ```
 #[derive(Debug, Clone, Default)]
 pub struct FigureBuilder {
-    parts: Vec<Part>,
-    changes: Vec<Change>,
-    heights: Vec<(Place, f64)>,
+    pub(super) parts: Vec<Part>,
+    pub(super) changes: Vec<Change>,
+    pub(super) heights: Vec<(Place, f64)>,
 }
 
 /// What one call to the builder added.
@@ -166,10 +166,19 @@ impl FigureBuilder {
     /// # Complexity
     /// O(n log n) expected for n vertices; an input with crossing edges costs more, by the
     /// number of crossings, of which at most [`InvalidFigure::MAX_PAIRS`] are looked for.
+    /// O(n) for one polygon without holes that is monotone in some direction.
     ///
     /// # Errors
     /// Every [`Flaw`] of the input, in the caller's own numbering.
-    pub fn build(self) -> Result<Figure, InvalidFigure> {
+    pub fn build(mut self) -> Result<Figure, InvalidFigure> {
+        match single::figure(&mut self) {
+            Some(figure) => Ok(figure),
+            None => self.build_in_general(),
+        }
+    }
+
+    /// Builds whatever it is, by way of a triangulation.
+    pub(super) fn build_in_general(self) -> Result<Figure, InvalidFigure> {
         let mut flaws = Vec::new();
         let changes = Changes::new(&self.changes, &self.parts, &mut flaws);
         let heights = Heights::new(&self.heights, &self.parts, &mut flaws);
@@ -223,7 +232,8 @@ impl FigureBuilder {
             heights,
             vertices,
             edges,
-            mesh,
+            mesh: mesh.into(),
+            monotone: None,
         })
     }
 }

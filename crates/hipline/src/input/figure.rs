@@ -1,6 +1,8 @@
 //! The checked planar straight-line graph.
 
-use super::{Mesh, Place, SpeedChange};
+use std::sync::OnceLock;
+
+use super::{Mesh, Monotone, Place, SpeedChange, single};
 use crate::topology::{EdgeId, VertexId};
 
 /// A planar straight-line graph: distinct vertices, edges that meet in vertices only.
@@ -16,7 +18,10 @@ pub struct Figure {
     pub(super) changes: Vec<SpeedChange>,
     /// By vertex; none if all are zero.
     pub(super) heights: Vec<f64>,
-    pub(super) mesh: Mesh,
+    /// Made when it is first asked for, if the ring was checked without it.
+    pub(super) mesh: OnceLock<Mesh>,
+    /// For one ring that was found to be monotone.
+    pub(super) monotone: Option<Monotone>,
 }
 
 /// One edge of a [`Figure`], directed as the caller gave it.
@@ -119,6 +124,13 @@ impl Figure {
         !self.heights.is_empty()
     }
 
+    /// Whether every speed is one for ever, and no vertex has a height.
+    pub(crate) fn is_plain(&self) -> bool {
+        #[expect(clippy::float_cmp, reason = "asks for the number one itself")]
+        let ones = self.edges.iter().all(|edge| edge.speeds == [1.0, 1.0]);
+        ones && self.changes.is_empty() && self.heights.is_empty()
+    }
+
     /// Whether an end of an edge has a height other than zero.
     pub(crate) fn has_height(&self, edge: EdgeId) -> bool {
         let edge = &self.edges[edge.index()];
@@ -132,7 +144,14 @@ impl Figure {
     }
 
     /// The triangulation of the vertices that has every edge of the figure in it.
-    pub(crate) const fn mesh(&self) -> &Mesh {
-        &self.mesh
+    pub(crate) fn mesh(&self) -> &Mesh {
+        self.mesh
+            .get_or_init(|| single::mesh(&self.vertices, &self.edges))
+    }
+
+    /// How the figure is monotone, if it is one simple ring without heights that is monotone in some
+    /// direction. Edge i goes from vertex i to the next one then.
+    pub(crate) const fn monotone(&self) -> Option<&Monotone> {
+        self.monotone.as_ref()
     }
 }

@@ -22,7 +22,7 @@ pub(super) struct Gathered {
 }
 
 /// More than this and the 32-bit ids of the triangulation's edges would run out.
-const LIMIT: usize = 1 << 28;
+pub(super) const LIMIT: usize = 1 << 28;
 
 /// Stands for a vertex that is not finite.
 const NONE: u32 = u32::MAX;

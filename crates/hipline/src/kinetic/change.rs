@@ -31,8 +31,8 @@ pub(super) struct Changes {
     next: Option<(Moment, Bounds)>,
     /// The wavefront edges on planes that will give way to others.
     pub(super) waves: BTreeMap<PlaneId, Vec<WaveId>>,
-    /// Terminals that stand still, by their vertices.
-    pub(super) closed: Vec<(TraceId, usize)>,
+    /// The vertices at terminals that stand still.
+    pub(super) closed: BTreeMap<usize, TraceId>,
     /// Terminals that start at this moment, with their planes.
     opening: Vec<(TraceId, usize, PlaneId)>,
 }
@@ -75,16 +75,10 @@ impl Kinetic<'_> {
 
     /// Lets the wavefront edges whose speed changes now go on with their new speeds.
     pub(super) fn change_speeds(&mut self) {
-        let (time, _) = self.planes.phases.levels()[self.changes.passed];
+        let level = self.changes.passed;
         self.changes.passed += 1;
-        let changing: Vec<(PlaneId, PlaneId)> = self
-            .changes
-            .waves
-            .keys()
-            .filter_map(|&plane| Some((plane, self.planes.phases.after(plane, time)?)))
-            .collect();
         let mut old = Vec::new();
-        for (plane, after) in changing {
+        for &(plane, after) in self.planes.phases.steps(level) {
             let waves = self.changes.waves.remove(&plane).unwrap_or_default();
             let here = waves.into_iter().filter(|&w| self.triangulation.has(w));
             old.extend(here.map(|wave| (wave, after)));
@@ -106,8 +100,8 @@ impl Kinetic<'_> {
         for (x, node) in nodes {
             successor.insert(x, self.carry_on(x, node, &renewed));
         }
-        self.open_terminals(time, &successor);
-        self.start_facets(time);
+        self.open_terminals(level, &successor);
+        self.start_facets(Some(level));
         self.find_next_change();
     }
 
@@ -171,48 +165,94 @@ impl Kinetic<'_> {
     }
 
     /// Opens the terminals whose edges start to move.
-    fn open_terminals(&mut self, time: f64, successor: &BTreeMap<TraceId, TraceId>) {
-        for (x, terminal) in std::mem::take(&mut self.changes.closed) {
-            let first = self.terminal_plane(terminal);
-            let starting = self.planes.phases.origin_after(first, time);
+    fn open_terminals(&mut self, level: usize, successor: &BTreeMap<TraceId, TraceId>) {
+        let starting: Vec<(usize, PlaneId)> = (self.planes.phases.steps(level).iter())
+            .filter_map(|&(plane, after)| {
+                let (first, _) = self.planes.phases.origin(plane);
+                Some((self.terminal_of(first)?, after))
+            })
+            .collect();
+        let mut arrived = None;
+        for (terminal, plane) in starting {
+            let Some(x) = self.changes.closed.remove(&terminal) else {
+                continue;
+            };
             let is_there = self.front.trace(x).end == End::Moving;
-            let here = successor.get(&x).copied().or(is_there.then_some(x));
-            match (starting, here) {
-                (None, Some(x)) => self.changes.closed.push((x, terminal)),
-                (None, None) => {}
-                (Some(plane), Some(here)) => {
-                    let new = if here == x { self.restart(x) } else { here };
-                    self.opens(new, terminal, plane);
+            if let Some(here) = successor.get(&x).copied() {
+                self.opens(here, terminal, plane);
+            } else if is_there {
+                let new = self.restart(x);
+                self.opens(new, terminal, plane);
+            } else {
+                let arrived = arrived.get_or_insert_with(|| self.arrived());
+                let here = arrived.get(&self.terminals[terminal].edge);
+                let here = here.into_iter().flatten().copied();
+                let post = self.terminal_plane(terminal);
+                let is_at = |&x: &TraceId| {
+                    let pair = self.front.trace(x).pair;
+                    self.planes.lead(&self.now, pair, post).is_zero()
+                };
+                if let Some(here) = here.into_iter().find(is_at) {
+                    self.opens(here, terminal, plane);
                 }
-                (Some(plane), None) => {
-                    if let Some(here) = self.arrived_at(terminal) {
-                        self.opens(here, terminal, plane);
-                    }
-                }
+            }
+        }
+        for (x, &new) in successor {
+            if let Some(terminal) = self.terminal_of(self.front.trace(*x).pair[0])
+                && let Some(here) = self.changes.closed.get_mut(&terminal)
+                && *here == *x
+            {
+                *here = new;
             }
         }
     }
 
+    /// The terminal whose wavefront edge has a plane at first.
+    fn terminal_of(&self, plane: PlaneId) -> Option<usize> {
+        let terminal = (plane.0 as usize / 2).checked_sub(self.figure.edges().len())?;
+        (terminal < self.terminals.len()).then_some(terminal)
+    }
+
+    /// The new vertices that stand on the planes of terminals.
+    fn fresh_at_terminals(&self) -> BTreeMap<usize, TraceId> {
+        let mut found = BTreeMap::new();
+        for &x in &self.batch.fresh {
+            let trace = self.front.trace(x);
+            if trace.end == End::Moving
+                && let Some(terminal) = self.terminal_of(trace.pair[0])
+            {
+                found.entry(terminal).or_insert(x);
+            }
+        }
+        found
+    }
+
     /// Opens the terminals whose edges stand still, but were overrun by others: what ends there moves now.
     pub(super) fn open_moved_terminals(&mut self) {
-        for (x, terminal) in std::mem::take(&mut self.changes.closed) {
-            let cap = self.terminal_plane(terminal);
-            let is_moving = |y: TraceId| self.front.trace(y).end == End::Moving;
-            // Between antiparallel wavefront edges, the new vertex has the planes of the old one.
-            let here = if is_moving(x) {
-                Some(x)
-            } else {
-                let mut fresh = self.batch.fresh.iter().copied();
-                fresh.find(|&y| is_moving(y) && self.front.trace(y).pair[0] == cap)
-            };
-            let Some(here) = here else { continue };
+        if self.changes.closed.is_empty() {
+            return;
+        }
+        // Between antiparallel wavefront edges, the new vertex has the planes of the old one.
+        let mut moved = self.fresh_at_terminals();
+        if self.now == Moment::Start {
+            for (&terminal, &x) in &self.changes.closed {
+                if self.front.trace(x).end == End::Moving {
+                    moved.insert(terminal, x);
+                }
+            }
+        }
+        for (terminal, here) in moved {
+            if !self.changes.closed.contains_key(&terminal) {
+                continue;
+            }
             let Trace { inn, out, .. } = *self.front.trace(here);
             let stands = |wave| self.planes.stands_still(self.front.wave(wave).plane);
             if stands(inn) && stands(out) {
                 self.front.trace_mut(here).turn = Sign::Negative;
-                self.changes.closed.push((here, terminal));
+                self.changes.closed.insert(terminal, here);
             } else {
-                self.open_terminal(here, terminal, cap);
+                self.changes.closed.remove(&terminal);
+                self.open_terminal(here, terminal, self.terminal_plane(terminal));
             }
         }
     }
@@ -231,14 +271,16 @@ impl Kinetic<'_> {
 
     /// Opens the terminals that start at this moment.
     pub(super) fn open_starting_terminals(&mut self) {
+        if self.changes.opening.is_empty() {
+            return;
+        }
+        let fresh = self.fresh_at_terminals();
         for (x, terminal, plane) in std::mem::take(&mut self.changes.opening) {
-            let cap = self.terminal_plane(terminal);
-            let is_moving = |y: TraceId| self.front.trace(y).end == End::Moving;
-            let mut fresh = self.batch.fresh.iter().copied();
-            let here = if is_moving(x) {
+            let is_moving = self.front.trace(x).end == End::Moving;
+            let here = if is_moving {
                 Some(x)
             } else {
-                fresh.find(|&y| is_moving(y) && self.front.trace(y).pair[0] == cap)
+                fresh.get(&terminal).copied()
             };
             if let Some(here) = here {
                 self.open_terminal(here, terminal, plane);
@@ -260,20 +302,18 @@ impl Kinetic<'_> {
         new
     }
 
-    /// The vertex between the facets on both sides of a terminal's edge, if they have come
-    /// up to the terminal just now.
-    fn arrived_at(&self, terminal: usize) -> Option<TraceId> {
-        let edge = self.terminals[terminal].edge as u32;
-        let facet = |side: u32| self.planes.phases.plane(PlaneId(2 * edge + side), 1);
-        let facets = [facet(0)?, facet(1)?];
-        let post = self.terminal_plane(terminal);
-        self.batch.fresh.iter().copied().find(|&x| {
+    /// By edge, the new vertices between the facets on both sides of it: they may have come up to a terminal
+    /// just now.
+    fn arrived(&self) -> BTreeMap<usize, Vec<TraceId>> {
+        let mut found: BTreeMap<usize, Vec<TraceId>> = BTreeMap::new();
+        for &x in &self.batch.fresh {
             let trace = self.front.trace(x);
-            trace.end == End::Moving
-                && [trace.inn, trace.out]
-                    .iter()
-                    .all(|&wave| facets.contains(&self.front.wave(wave).plane))
-                && self.planes.lead(&self.now, trace.pair, post).is_zero()
-        })
+            let phases = &self.planes.phases;
+            let [i, j] = [trace.inn, trace.out].map(|w| phases.origin(self.front.wave(w).plane));
+            if trace.end == End::Moving && i.0.0 / 2 == j.0.0 / 2 && [i.1, j.1] == [1, 1] {
+                found.entry(i.0.0 as usize / 2).or_default().push(x);
+            }
+        }
+        found
     }
 }

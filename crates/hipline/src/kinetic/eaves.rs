@@ -22,15 +22,9 @@ use crate::{
 type Pair = [Option<Eave>; 2];
 
 impl Kinetic<'_> {
-    /// Starts the facets of the eaves whose lower end has the given height.
-    pub(super) fn start_facets(&mut self, time: f64) {
-        let phases = &self.planes.phases;
-        let starting: Vec<Eave> = phases
-            .eaves()
-            .iter()
-            .filter(|eave| eave.from.to_bits() == time.to_bits())
-            .copied()
-            .collect();
+    /// Starts the facets of the eaves whose lower end has the height of a level, or zero.
+    pub(super) fn start_facets(&mut self, level: Option<usize>) {
+        let starting = self.planes.phases.births(level);
         let mut at: BTreeMap<TraceId, Pair> = BTreeMap::new();
         for eave in starting {
             if let Some(x) = self.low_end(&eave) {

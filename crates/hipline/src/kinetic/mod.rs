@@ -10,12 +10,14 @@
 //!   of infinite speed live only within one such batch, so they never need a velocity.
 //! * The exterior is framed by four points at infinity ([`Direction`](crate::predicates::Direction))
 //!   instead of one, so that each unbounded triangle has an area that is linear in time.
+//! * The modified skeleton of section 5 is a matter of how the wavefront starts at acute angles ([`acute`]).
 //! * Neighbours on one plane are carried as one wavefront edge ([`straight`]); their faces
 //!   are cut apart afterwards by ghost arcs.
 //!
 //! Invariant: between two batches every triangle has positive area, and no wavefront vertex
 //! has an angle of 0 or 180 degrees.
 
+mod acute;
 mod change;
 mod eaves;
 mod queue;
@@ -23,14 +25,16 @@ mod resolve;
 mod schedule;
 mod setup;
 mod straight;
+#[cfg(test)]
+mod tests;
 mod triangulation;
 
 use std::cmp::Ordering;
 
 use crate::{
-    input::Figure,
+    input::{Figure, Parts},
     predicates::{Bounds, Moment, Planes, Terminal},
-    skeleton::{Region, Skeleton, Stats, assemble},
+    skeleton::{Region, Skeleton, Stats, assemble, merge},
     topology::{TraceId, TriangleId},
     wavefront::{End, Wavefront},
 };
@@ -43,6 +47,7 @@ use triangulation::Triangulation;
 struct Kinetic<'a> {
     figure: &'a Figure,
     planes: Planes,
+    /// The terminals, then the caps of a modified skeleton.
     terminals: Vec<Terminal>,
     triangulation: Triangulation,
     front: Wavefront,
@@ -76,12 +81,47 @@ struct Batch {
     scheduled: Vec<u32>,
 }
 
-/// The straight skeleton of a part of the plane, by this engine. Total: every figure has one.
+/// The straight skeleton of a part of the plane, or the modified one, by this engine. Total: every
+/// figure has one.
+///
+/// Components of the plane that the edges keep apart are independent: where there are many, groups of them are computed
+/// on all processors. The result is the same for every number of them.
 ///
 /// # Complexity
 /// O(n) memory; about n log n time on ordinary input, O(n^3 log n) at worst (Lemma 5).
-pub(crate) fn skeleton(figure: &Figure, region: Region) -> Skeleton {
-    let mut kinetic = Kinetic::new(figure, region);
+pub(crate) fn skeleton(figure: &Figure, region: Region, modified: bool) -> Skeleton {
+    // Caps at a vertex depend on edges that may be in other parts.
+    match figure.parts(region).filter(|_| !modified) {
+        Some(parts) => of_parts(figure, region, &parts),
+        None => of_whole(figure, region, modified),
+    }
+}
+
+/// The skeleton by one propagation for each part.
+fn of_parts(figure: &Figure, region: Region, parts: &Parts) -> Skeleton {
+    let compute = |i: usize| {
+        let part = parts.part(i);
+        let skeleton = of_whole(&part.figure, part.region, false);
+        (part, skeleton)
+    };
+    merge(figure, region, &in_parallel(parts.len(), compute))
+}
+
+/// The values of a function from 0 on, in order.
+#[cfg(feature = "parallel")]
+fn in_parallel<T: Send>(count: usize, compute: impl Fn(usize) -> T + Sync + Send) -> Vec<T> {
+    use rayon::prelude::*;
+    (0..count).into_par_iter().map(compute).collect()
+}
+
+#[cfg(not(feature = "parallel"))]
+fn in_parallel<T>(count: usize, compute: impl Fn(usize) -> T) -> Vec<T> {
+    (0..count).map(compute).collect()
+}
+
+/// The skeleton by one propagation.
+fn of_whole(figure: &Figure, region: Region, modified: bool) -> Skeleton {
+    let mut kinetic = Kinetic::new(figure, region, modified);
     kinetic.propagate();
     let rungs = kinetic.planes.rungs.get();
     kinetic.stats.by_f64 = rungs.by_f64;

@@ -64,8 +64,8 @@ fn along_input(mesh: &Mesh, vertices: usize, kept: impl Fn(usize) -> bool) -> Ve
 
 impl<'a> Kinetic<'a> {
     /// The state at time zero, terminals and straight vertices not yet treated.
-    pub(super) fn new(figure: &'a Figure, region: Region) -> Self {
-        let terminals = Terminal::all(figure);
+    pub(super) fn new(figure: &'a Figure, region: Region, modified: bool) -> Self {
+        let terminals = Terminal::with_caps(figure, modified);
         let planes = Planes::new(figure, &terminals);
         let faces = 2 * figure.edges().len() + terminals.len();
         let mut kinetic = Self {
@@ -270,13 +270,17 @@ impl<'a> Kinetic<'a> {
             }
         }
         let tips = self.prepare_terminals();
+        let acute = self.wide_sectors();
         self.remove_straight_vertices();
         for (x, terminal) in tips {
             self.open_terminal(x, terminal, self.terminal_plane(terminal));
         }
+        for (x, caps) in acute {
+            self.open_caps(x, caps);
+        }
         self.open_moved_terminals();
         self.refresh_pairs();
-        self.start_facets(0.0);
+        self.start_facets(None);
         self.remove_straight_vertices();
         self.batch.dirty.clear();
         self.batch.fresh.clear();
@@ -305,7 +309,7 @@ impl<'a> Kinetic<'a> {
         queue.fill(queued.into_iter(), &|a, b| agenda.compare(planes, a, b));
     }
 
-    /// The plane of terminal number `i`.
+    /// The plane of terminal or cap number `i`.
     pub(super) fn terminal_plane(&self, i: usize) -> PlaneId {
         PlaneId(2 * (self.figure.edges().len() + i) as u32)
     }
@@ -320,8 +324,7 @@ impl<'a> Kinetic<'a> {
                 continue;
             }
             let tip = trace.born as usize;
-            let terminal = self
-                .terminals
+            let terminal = self.terminals[..self.figure.terminals()]
                 .binary_search_by_key(&tip, |terminal| terminal.tip)
                 .expect("both sides of an edge meet at a terminal only");
             // From the edge's side to the terminal's the wavefront turns right.
@@ -329,7 +332,7 @@ impl<'a> Kinetic<'a> {
             self.front.traces[i].pair = [cap, plane];
             if self.planes.stands_still(cap) {
                 self.front.traces[i].turn = Sign::Negative;
-                self.changes.closed.push((TraceId::new(i), terminal));
+                self.changes.closed.insert(terminal, TraceId::new(i));
             } else {
                 list.push((TraceId::new(i), terminal));
             }
@@ -403,7 +406,7 @@ impl<'a> Kinetic<'a> {
 
     /// The planes of vertices beside wavefront edges that were overrun have changed.
     fn refresh_pairs(&mut self) {
-        let mut closed: Vec<TraceId> = self.changes.closed.iter().map(|c| c.0).collect();
+        let mut closed: Vec<TraceId> = self.changes.closed.values().copied().collect();
         closed.sort_unstable();
         for (x, trace) in self.front.traces.iter_mut().enumerate() {
             let planes = [trace.inn, trace.out].map(|w| self.front.waves[w.index()].plane);

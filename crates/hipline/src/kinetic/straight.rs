@@ -13,61 +13,103 @@ use super::{
 };
 use crate::predicates::Moment;
 use crate::topology::{TraceId, WaveId};
-use crate::wavefront::{End, Walk};
+use crate::wavefront::{End, Trace, Walk};
 use hipline_num::Sign;
-use std::cmp::Ordering;
+use std::{cmp::Ordering, collections::BTreeSet};
 
-impl Kinetic<'_> {
-    /// Removes the straight vertices of this batch, when no flat triangle is left.
-    pub(super) fn remove_straight_vertices(&mut self) {
-        while !self.batch.straight.is_empty() {
-            let mut list = std::mem::take(&mut self.batch.straight);
-            list.retain(|&x| self.front.trace(x).end == End::Moving);
-            // Those on one plane first; then by the speed of the faster wavefront edge.
-            let Some(i) = (0..list.len()).max_by(|&i, &j| self.urgency(list[i], list[j])) else {
-                return;
-            };
-            let joint = |x: &TraceId| self.speeds_at(*x).is_eq();
-            if joint(&list[i]) {
-                let (now, later) = list.iter().copied().partition(joint);
-                list = later;
-                let now: Vec<TraceId> = now;
-                for x in now {
-                    self.join(x);
-                }
-            } else {
-                let x = list.swap_remove(i);
-                self.overrun(x);
-            }
-            self.batch.straight.extend(list);
+/// A straight vertex, between the wavefront edges that it had when it was entered.
+#[derive(Clone, Copy)]
+struct Straight {
+    x: TraceId,
+    inn: WaveId,
+    out: WaveId,
+}
+
+/// A heap whose order the caller knows: the most urgent entry comes first.
+#[derive(Default)]
+struct Agenda(Vec<Straight>);
+
+impl Agenda {
+    fn push(&mut self, entry: Straight, before: impl Fn(&Straight, &Straight) -> bool) {
+        let mut at = self.0.len();
+        self.0.push(entry);
+        while at > 0 && before(&self.0[at], &self.0[(at - 1) / 2]) {
+            self.0.swap(at, (at - 1) / 2);
+            at = (at - 1) / 2;
         }
     }
 
-    /// Compares the speeds of the wavefront edges before and after a straight vertex.
-    fn speeds_at(&self, x: TraceId) -> Ordering {
-        let trace = self.front.trace(x);
-        self.planes.compare_speeds(
-            self.front.wave(trace.inn).plane,
-            self.front.wave(trace.out).plane,
-        )
+    fn pop(&mut self, before: impl Fn(&Straight, &Straight) -> bool) -> Option<Straight> {
+        let last = self.0.len().checked_sub(1)?;
+        self.0.swap(0, last);
+        let top = self.0.pop();
+        let mut at = 0;
+        loop {
+            let first = |p: usize, q: usize| {
+                let better = q < self.0.len() && before(&self.0[q], &self.0[p]);
+                if better { q } else { p }
+            };
+            let next = first(first(at, 2 * at + 1), 2 * at + 2);
+            if next == at {
+                return top;
+            }
+            self.0.swap(at, next);
+            at = next;
+        }
+    }
+}
+
+impl Kinetic<'_> {
+    /// Removes the straight vertices of this batch, when no flat triangle is left: those on one plane first; then
+    /// by the speed of the faster wavefront edge.
+    pub(super) fn remove_straight_vertices(&mut self) {
+        let mut list = Agenda::default();
+        let mut waiting = BTreeSet::new();
+        loop {
+            let mut fresh = std::mem::take(&mut self.batch.straight);
+            waiting.extend(fresh.iter().copied());
+            while let Some(x) = fresh.pop() {
+                let Trace { inn, out, .. } = *self.front.trace(x);
+                list.push(Straight { x, inn, out }, |p, q| self.is_more_urgent(p, q));
+            }
+            let Some(Straight { x, inn, out }) = list.pop(|p, q| self.is_more_urgent(p, q)) else {
+                return;
+            };
+            let trace = *self.front.trace(x);
+            if trace.end != End::Moving || [trace.inn, trace.out] != [inn, out] {
+                continue;
+            }
+            waiting.remove(&x);
+            let [u, _] = self.triangulation.ends(inn);
+            let [_, v] = self.triangulation.ends(out);
+            if self.speeds_between(inn, out).is_eq() {
+                self.join(x);
+            } else {
+                self.overrun(x);
+            }
+            // Their neighbours are others now.
+            let changed = [u, v].into_iter().filter(|x| waiting.contains(x));
+            self.batch.straight.extend(changed);
+        }
     }
 
-    fn urgency(&self, x: TraceId, y: TraceId) -> Ordering {
-        let fastest = |x: TraceId| {
-            let trace = self.front.trace(x);
-            let [a, b] = [trace.inn, trace.out].map(|w| self.front.wave(w).plane);
-            if self.planes.compare_speeds(a, b).is_ge() {
-                a
-            } else {
-                b
-            }
-        };
-        let joint = |x| self.speeds_at(x).is_eq();
-        joint(x)
-            .cmp(&joint(y))
-            .then_with(|| self.planes.compare_speeds(fastest(x), fastest(y)))
-            .then_with(|| self.speeds_at(x).cmp(&self.speeds_at(y)))
-            .then_with(|| y.cmp(&x))
+    /// Compares the speeds of two wavefront edges.
+    fn speeds_between(&self, inn: WaveId, out: WaveId) -> Ordering {
+        let [i, j] = [inn, out].map(|wave| self.front.wave(wave).plane);
+        self.planes.compare_speeds(i, j)
+    }
+
+    /// Whether one straight vertex is to be removed before another.
+    fn is_more_urgent(&self, p: &Straight, q: &Straight) -> bool {
+        let order = |s: &Straight| self.speeds_between(s.inn, s.out);
+        let fastest = |s: &Straight| if order(s).is_ge() { s.inn } else { s.out };
+        let joint = |s: &Straight| order(s).is_eq();
+        joint(p)
+            .cmp(&joint(q))
+            .then_with(|| self.speeds_between(fastest(p), fastest(q)))
+            .then_with(|| order(p).cmp(&order(q)))
+            .then_with(|| q.x.cmp(&p.x))
+            .is_gt()
     }
 
     /// Takes a straight vertex out of the triangulation: its two wavefront edges become one,
@@ -150,7 +192,7 @@ impl Kinetic<'_> {
     fn overrun(&mut self, p: TraceId) {
         let trace = *self.front.trace(p);
         let starting = self.now == Moment::Start;
-        if self.speeds_at(p).is_lt() {
+        if self.speeds_between(trace.inn, trace.out).is_lt() {
             // `inn` is overrun, back to its start u.
             let [u, _] = self.triangulation.ends(trace.inn);
             let slow = self.front.wave(trace.inn).face;

@@ -14,6 +14,11 @@
 
 use crate::predicates::{Course, Heading, Moment, Place, PlaneId, Planes};
 
+/// Whether one starts between two neighbours, the second one counterclockwise of the first.
+pub(super) fn is_born(planes: &Planes, [a, b]: &[[PlaneId; 2]; 2]) -> bool {
+    planes.turn(a[0], b[1]).is_positive() && planes.turn_of_paths(*a, *b).is_negative()
+}
+
 /// The planes of the motorcycle that starts where those with the given planes meet, if any
 /// does, and where.
 pub(super) fn born(planes: &Planes, members: &[[PlaneId; 2]]) -> Option<([PlaneId; 2], Place)> {
@@ -23,10 +28,8 @@ pub(super) fn born(planes: &Planes, members: &[[PlaneId; 2]]) -> Option<([PlaneI
         .collect();
     around.sort_by(|a, b| planes.compare_headings(&a.1, &b.1));
     let pair = (0..around.len()).find_map(|i| {
-        let (a, b) = (around[i].0, around[(i + 1) % around.len()].0);
-        let pair = [a[0], b[1]];
-        let wide = planes.turn_of_paths(a, b).is_negative();
-        (wide && planes.turn(pair[0], pair[1]).is_positive()).then_some(pair)
+        let neighbours = [around[i].0, around[(i + 1) % around.len()].0];
+        is_born(planes, &neighbours).then_some([neighbours[0][0], neighbours[1][1]])
     })?;
     // All their planes have this point in common; some three of them have no other one.
     let third = (members.iter().flatten().copied())

@@ -6,21 +6,25 @@
 //! has run into its track, and two that start together do not see each other. One that starts on a track
 //! that was there before ends at once.
 //!
-//! On one line: two that come towards each other meet half-way, unless one of them passes the place where
-//! the other one starts before it does; one that follows the other runs into the place
-//! where that one started.
+//! On one line: two that come towards each other meet half-way, unless one of them passes the place
+//! where the other one starts before it does; one that follows the other runs into the place where that
+//! one started. One that starts where the other arrives at that moment, and runs back along its
+//! track, ends at once, and so does the slower one of two that start together in one direction.
 
 use super::{
-    race::{Field, Found, Hit, Obstacle},
+    field::Field,
+    hits::{Found, Hit, Obstacle},
     tracks::Origin,
 };
-use crate::predicates::{Bounds, Place, Rail};
+use crate::predicates::{Bounds, Lane, Place, Rail};
 use std::cmp::Ordering;
 
-/// How far in time a ground looks: what comes later than this is found elsewhere.
+/// When two motorcycles are in a cell, at most: what comes before or after is found elsewhere.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Window {
-    /// The limit of each of the two.
+    /// From when on each of the two is there.
+    pub from: [f64; 2],
+    /// Until when.
     pub until: [f64; 2],
     /// The cell.
     pub cell: u32,
@@ -29,6 +33,7 @@ pub(super) struct Window {
 impl Window {
     /// Everything.
     pub(super) const ALL: Self = Self {
+        from: [f64::NEG_INFINITY; 2],
         until: [f64::INFINITY; 2],
         cell: 0,
     };
@@ -46,6 +51,19 @@ fn are_related(field: &Field, i: u32, j: u32) -> bool {
     child(i, j) || child(j, i)
 }
 
+/// Whether f64 can tell that, as long as they are in a cell, one of two is on one side of the path of the
+/// other: so most that go the same way, of which there are many in regular figures, need no exact numbers.
+fn are_apart(lanes: [&Lane; 2], window: Window) -> bool {
+    (0..2).any(|k| {
+        let (lane, other) = (lanes[k], lanes[1 - k]);
+        let side = |time: f64| lane.side_at(other, time);
+        match (side(window.from[1 - k]), side(window.until[1 - k])) {
+            (Some(first), Some(last)) => first == last && !first.is_zero(),
+            _ => false,
+        }
+    })
+}
+
 /// Finds what two motorcycles may do to each other.
 pub(super) fn encounter(field: &Field, i: u32, j: u32, window: Window, found: &mut Found) {
     let who = [i, j];
@@ -56,14 +74,16 @@ pub(super) fn encounter(field: &Field, i: u32, j: u32, window: Window, found: &m
     let turn = match crossing.turn {
         Some(turn) if !turn.is_zero() => {
             // Most are seen not to cross at little cost.
-            for k in 0..2 {
+            let misses = |k: usize| {
                 let t = crossing.times[k];
-                if t.high < starts[k].low || t.low > window.until[k] {
-                    return;
-                }
+                t.high < window.from[k].max(starts[k].low) || t.low > window.until[k]
+            };
+            if misses(0) || misses(1) {
+                return;
             }
             turn
         }
+        _ if are_apart([a, b], window) => return,
         _ => field.planes.turn_of_paths(p, q),
     };
     if are_related(field, i, j) {
@@ -89,7 +109,7 @@ pub(super) fn encounter(field: &Field, i: u32, j: u32, window: Window, found: &m
         if !is_narrow(times[k]) {
             times[k] = field.planes.time_bounds(&places[k]);
         }
-        if times[k].low > window.until[k] {
+        if times[k].high < window.from[k] || times[k].low > window.until[k] {
             return;
         }
         let start = (&field.tracks[who[k] as usize].start, starts[k]);
@@ -112,6 +132,7 @@ pub(super) fn encounter(field: &Field, i: u32, j: u32, window: Window, found: &m
             },
             place: places[k],
             bounds: times[k],
+            there: Some(times[1 - k]),
             cell: window.cell,
         });
     };
@@ -170,6 +191,7 @@ fn aligned(field: &Field, who: [u32; 2], window: Window, found: &mut Found) {
                 on: Obstacle::Track(who[1 - k]),
                 place,
                 bounds,
+                there: None,
                 cell: window.cell,
             });
         };
@@ -188,7 +210,13 @@ fn aligned(field: &Field, who: [u32; 2], window: Window, found: &mut Found) {
                     );
                 }
             }
-            Ordering::Equal => add(k, place, bounds),
+            Ordering::Equal => {
+                add(k, place, bounds);
+                if !planes.go_alike(p, q) {
+                    // The other one starts on the track, and runs back along it.
+                    add(1 - k, other.start, starts.1);
+                }
+            }
         }
     }
     if planes.go_alike(p, q) {
@@ -217,6 +245,7 @@ fn aligned(field: &Field, who: [u32; 2], window: Window, found: &mut Found) {
                 on: Obstacle::Rival(who[1 - k]),
                 place: places[k],
                 bounds,
+                there: None,
                 cell: window.cell,
             });
         }

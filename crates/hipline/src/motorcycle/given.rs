@@ -277,6 +277,6 @@ impl MotorcycleGraph {
             race::run(&planes, starters, grid, false)
         };
         let wall = |plane| End::Wall(WallId::new(wall_of_line(count, plane)));
-        Ok(Self::of_tracks(&planes, &tracks, wall))
+        Ok(Self::of_tracks(&planes, &tracks, wall, |_| None))
     }
 }

@@ -7,7 +7,8 @@
 
 use super::{
     encounter::{Window, encounter},
-    race::{Field, Found, Ground, Step},
+    field::{Field, Ground},
+    hits::{Found, Step},
     walls::Segment,
 };
 use crate::predicates::Motion;
@@ -25,8 +26,8 @@ const MOST: usize = 4096;
 #[derive(Debug, Clone, Default)]
 struct Cell {
     walls: Vec<u32>,
-    /// Motorcycles, and when they have left.
-    riders: Vec<(u32, f64)>,
+    /// Motorcycles, from when on they may be there, and when they have left.
+    riders: Vec<(u32, [f64; 2])>,
 }
 
 /// The path of a motorcycle in cells.
@@ -145,20 +146,23 @@ impl<'a> Grid<'a> {
         }
     }
 
-    /// Looks around in a cell, and stays there until a time.
-    fn enter(&mut self, field: &Field, who: u32, cell: usize, until: f64, found: &mut Found) {
+    /// Looks around in a cell, and stays there from one time to another.
+    fn enter(&mut self, field: &Field, who: u32, cell: usize, stay: [f64; 2], found: &mut Found) {
         for &wall in &self.cells[cell].walls {
             let hit = self.walls[wall as usize].hit(field, who, cell as u32);
-            found.hits.extend(hit.filter(|hit| hit.bounds.low <= until));
+            found
+                .hits
+                .extend(hit.filter(|hit| hit.bounds.low <= stay[1]));
         }
-        for &(other, left) in &self.cells[cell].riders {
+        for &(other, stays) in &self.cells[cell].riders {
             let window = Window {
-                until: [left, until],
+                from: [stays[0], stay[0]],
+                until: [stays[1], stay[1]],
                 cell: cell as u32,
             };
             encounter(field, other, who, window, found);
         }
-        self.cells[cell].riders.push((who, until));
+        self.cells[cell].riders.push((who, stay));
     }
 
     /// Goes through a column, given by its number along the axis of the ride (which may be outside).
@@ -176,19 +180,28 @@ impl<'a> Grid<'a> {
         let margin = MARGIN / speed.abs();
         let [from, to] = [lasts[0] - margin, lasts[1] + margin]
             .map(|t| ride.at[across] + ride.velocity[across] * t.max(0.0));
-        let until = self.time(ride.time, lasts[1] + margin, 1.0);
+        let stay = [
+            self.time(ride.time, lasts[0] - margin, -1.0),
+            self.time(ride.time, lasts[1] + margin, 1.0),
+        ];
         let (rows, leaves) = self.span(from, to);
         if leaves && !ride.outside {
             self.rides[who as usize].outside = true;
             let outside = self.cells.len() - 1;
-            self.enter(field, who, outside, f64::INFINITY, found);
+            self.enter(
+                field,
+                who,
+                outside,
+                [f64::NEG_INFINITY, f64::INFINITY],
+                found,
+            );
         }
         if rows.is_empty() {
             return;
         }
         for row in rows {
             let cell = self.index(axis, column, row);
-            self.enter(field, who, cell, until, found);
+            self.enter(field, who, cell, stay, found);
         }
         let next = if speed > 0.0 {
             Some(column + 1)
@@ -205,7 +218,13 @@ impl<'a> Grid<'a> {
             None if !self.rides[who as usize].outside => {
                 self.rides[who as usize].outside = true;
                 let outside = self.cells.len() - 1;
-                self.enter(field, who, outside, f64::INFINITY, found);
+                self.enter(
+                    field,
+                    who,
+                    outside,
+                    [f64::NEG_INFINITY, f64::INFINITY],
+                    found,
+                );
             }
             None => {}
         }

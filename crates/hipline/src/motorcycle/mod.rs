@@ -27,8 +27,10 @@
 
 mod births;
 mod encounter;
+mod field;
 mod given;
 mod grid;
+mod hits;
 mod model;
 mod pairs;
 mod race;
@@ -76,10 +78,20 @@ fn induced_by_pairs(figure: &Figure) -> Result<(Planes, Tracks), NotApplicable> 
 }
 
 fn rounded((planes, tracks): &(Planes, Tracks)) -> MotorcycleGraph {
-    MotorcycleGraph::of_tracks(planes, tracks, |PlaneId(side)| {
-        let right = side % 2 == 1;
-        let side_of = if right { Side::Right } else { Side::Left };
-        End::Edge(EdgeId::new((side / 2) as usize), side_of)
+    let side = |PlaneId(plane): PlaneId| {
+        let side = if plane % 2 == 1 {
+            Side::Right
+        } else {
+            Side::Left
+        };
+        (EdgeId::new((plane / 2) as usize), side)
+    };
+    let wall = |plane| {
+        let (edge, side) = side(plane);
+        End::Edge(edge, side)
+    };
+    MotorcycleGraph::of_tracks(planes, tracks, wall, |[right, left]| {
+        Some([side(left), side(right)])
     })
 }
 

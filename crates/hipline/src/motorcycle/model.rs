@@ -55,6 +55,9 @@ pub struct Motorcycle {
     pub stop: Option<Spot>,
     /// Its velocity, in input units per unit of time, correctly rounded.
     pub velocity: [f64; 2],
+    /// In the graph of a figure: the sides of edges between whose wavefronts it runs, first that on its
+    /// left as it moves. (Of edges on one line, whose wavefronts are one, it is one of them.)
+    pub between: Option<[(EdgeId, Side); 2]>,
     /// Where it comes from.
     pub origin: Origin,
     /// What ended its track.
@@ -103,7 +106,7 @@ impl MotorcycleGraph {
         (0..self.motorcycles.len()).map(MotorcycleId::new)
     }
 
-    /// The meetings, in the order of time.
+    /// The meetings, in the order of time; at one time in that of their first members.
     #[must_use]
     pub fn meetings(&self) -> &[Meeting] {
         &self.meetings
@@ -123,6 +126,7 @@ impl MotorcycleGraph {
         planes: &Planes,
         tracks: &Tracks,
         wall: impl Fn(PlaneId) -> End,
+        between: impl Fn([PlaneId; 2]) -> Option<[(EdgeId, Side); 2]>,
     ) -> Self {
         let spot = |place: &Place| {
             let [x, y, time] = planes.round(place);
@@ -134,6 +138,7 @@ impl MotorcycleGraph {
             start: spot(&track.start),
             stop: track.end.as_ref().map(spot),
             velocity: planes.round_velocity(track.pair),
+            between: between(track.pair),
             origin: match track.origin {
                 tracks::Origin::Vertex(vertex) => Origin::Vertex(vertex),
                 tracks::Origin::Meeting(number) => Origin::Meeting(meeting(number)),

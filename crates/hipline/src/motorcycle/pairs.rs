@@ -2,7 +2,8 @@
 
 use super::{
     encounter::{Window, encounter},
-    race::{Field, Found, Ground, Step},
+    field::{Field, Ground},
+    hits::{Found, Step},
     walls::{Edges, Segment},
 };
 

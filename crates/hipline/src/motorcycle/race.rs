@@ -1,197 +1,38 @@
 //! All motorcycles at once, crash by crash in the order of time.
 //!
 //! A [`Hit`] says that a motorcycle gets to something that may stop it; whether it does is known
-//! when all earlier hits are settled. Who finds the hits is the [`Ground`]'s matter: all pairs, or those
-//! that walk through one triangle. It may take *steps* of its own before the moment of the next
-//! hit; steps have no effect but to find hits, so they are ordered by lower bounds in f64, and one that is
+//! when all earlier hits of those concerned are settled. Who finds the hits is the [`Ground`]'s matter: all
+//! pairs, or those that walk through one triangle. It may take *steps* of its own before the moment of the
+//! next hit; steps have no effect but to find hits, so they are ordered by lower bounds in f64, and one that is
 //! taken too early is only taken in vain.
+//!
+//! Hits are taken from the queue in clusters, of those whose bounds in f64 overlap: mostly one alone. In a cluster, the exact order
+//! matters only among hits that have motorcycles in common. In symmetric figures many crashes are at one
+//! moment, and nearly none of them have to be compared.
 
 use super::{
     births,
+    field::{Field, Ground},
+    hits::{Found, Hit, Obstacle, Queued, Step},
     tracks::{Crash, Meeting, Origin, Track, Tracks},
 };
-use crate::{
-    predicates::{Bounds, Lane, Place, PlaneId, Planes, Rail},
-    topology::VertexId,
-};
-use std::{
-    cmp::{Ordering, Reverse},
-    collections::BinaryHeap,
-};
+use crate::predicates::{Place, Planes};
+use std::{cmp::Reverse, collections::BinaryHeap};
 
-/// What a motorcycle may run into.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Obstacle {
-    /// The inside of an edge, seen from the side of a plane; or a wall.
-    Wall(PlaneId),
-    /// A vertex.
-    Vertex(VertexId),
-    /// The track of another one that was there before, if it was there at all.
-    Track(u32),
-    /// Another one that arrives at the same moment.
-    Rival(u32),
-}
-
-impl Obstacle {
-    /// Of all that is at one place, what counts: a wall before a track before a meeting, and of
-    /// several the one with the lowest number.
-    const fn rank(self) -> (u8, u32) {
-        match self {
-            Self::Wall(plane) => (0, plane.0),
-            Self::Vertex(vertex) => (1, vertex.index() as u32),
-            Self::Track(who) => (2, who),
-            Self::Rival(who) => (3, who),
-        }
+/// The first one of the set that an element is in.
+fn root(parents: &mut [usize], mut i: usize) -> usize {
+    while parents[i] != i {
+        parents[i] = parents[parents[i]];
+        i = parents[i];
     }
-}
-
-/// A motorcycle gets to an obstacle.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Hit {
-    pub who: u32,
-    pub on: Obstacle,
-    pub place: Place,
-    pub bounds: Bounds,
-    /// Where the ground found it.
-    pub cell: u32,
-}
-
-/// A step that the ground wants to take not later than when a motorcycle gets somewhere.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Step {
-    /// At most the time when it gets there.
-    pub low: f64,
-    pub who: u32,
-    /// Where it gets: the ground knows.
-    pub cell: u32,
-    pub side: u32,
-}
-
-impl PartialEq for Step {
-    fn eq(&self, other: &Self) -> bool {
-        self.cmp(other).is_eq()
-    }
-}
-
-impl Eq for Step {}
-
-impl PartialOrd for Step {
-    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
-        Some(self.cmp(other))
-    }
-}
-
-impl Ord for Step {
-    fn cmp(&self, other: &Self) -> Ordering {
-        self.low
-            .total_cmp(&other.low)
-            .then_with(|| (self.who, self.cell).cmp(&(other.who, other.cell)))
-    }
-}
-
-/// What a ground found.
-#[derive(Debug, Default)]
-pub(super) struct Found {
-    pub hits: Vec<Hit>,
-    pub steps: Vec<Step>,
-}
-
-/// The motorcycles so far, as a ground sees them.
-pub(super) struct Field<'a> {
-    pub planes: &'a Planes,
-    pub tracks: Vec<Track>,
-    /// The path of each.
-    pub lanes: Vec<Lane>,
-    /// When each starts, as far as f64 can tell.
-    pub starts: Vec<Bounds>,
-    pub meetings: Vec<Meeting>,
-}
-
-impl Field<'_> {
-    fn add(&mut self, track: Track) -> u32 {
-        self.lanes.push(self.planes.lane(track.pair));
-        self.starts.push(self.planes.time_bounds(&track.start));
-        self.tracks.push(track);
-        self.tracks.len() as u32 - 1
-    }
-
-    /// Whether a motorcycle still moves.
-    pub(super) fn moves(&self, who: u32) -> bool {
-        self.tracks[who as usize].end.is_none()
-    }
-
-    /// Compares the times of two places whose bounds are known. Exact.
-    pub(super) fn compare(&self, p: (&Place, Bounds), q: (&Place, Bounds)) -> Ordering {
-        p.1.compare(q.1)
-            .unwrap_or_else(|| self.planes.compare_instants(p.0, q.0))
-    }
-
-    /// Whether the track that a motorcycle gets to reaches as far as there.
-    fn is_reached(&self, hit: &Hit, other: u32) -> bool {
-        let Some(end) = &self.tracks[other as usize].end else {
-            // It was there before, and still moves.
-            return true;
-        };
-        let (pair, own) = (
-            self.tracks[other as usize].pair,
-            self.tracks[hit.who as usize].pair,
-        );
-        let rail = match hit.place {
-            Place::On { rail, .. } if rail == Rail::Path(pair) => Rail::Path(own),
-            // At its own start.
-            Place::On { pair: on, .. }
-                if on == own && hit.place != self.tracks[hit.who as usize].start =>
-            {
-                return true;
-            }
-            // At the other one's start, on the way of this one.
-            Place::On { rail, .. } => rail,
-            _ => unreachable!("a track is hit where a path is crossed"),
-        };
-        let there = Place::On { pair, rail };
-        let bounds = [&there, end].map(|place| self.planes.time_bounds(place));
-        self.compare((&there, bounds[0]), (end, bounds[1])).is_le()
-    }
-}
-
-/// Where motorcycles find what they may run into.
-pub(super) trait Ground {
-    /// A motorcycle starts. If a meeting bore it, the cells where the ground found that are told.
-    fn start(&mut self, field: &Field, who: u32, cells: &[u32], found: &mut Found);
-    /// Takes a step.
-    fn step(&mut self, field: &Field, step: Step, found: &mut Found);
-}
-
-/// A hit in the queue: the first one is the greatest.
-struct Queued<'a>(Hit, &'a Planes);
-
-impl PartialEq for Queued<'_> {
-    fn eq(&self, other: &Self) -> bool {
-        self.cmp(other).is_eq()
-    }
-}
-
-impl Eq for Queued<'_> {}
-
-impl PartialOrd for Queued<'_> {
-    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
-        Some(self.cmp(other))
-    }
-}
-
-impl Ord for Queued<'_> {
-    fn cmp(&self, other: &Self) -> Ordering {
-        (self.0.bounds.compare(other.0.bounds))
-            .unwrap_or_else(|| self.1.compare_instants(&self.0.place, &other.0.place))
-            .reverse()
-    }
+    i
 }
 
 /// The state between two moments.
 struct Race<'a, G> {
     field: Field<'a>,
     ground: G,
-    hits: BinaryHeap<Queued<'a>>,
+    hits: BinaryHeap<Reverse<Queued>>,
     steps: BinaryHeap<Reverse<Step>>,
     found: Found,
     births: bool,
@@ -225,6 +66,7 @@ pub(super) fn run<G: Ground>(
         race.file();
     }
     while race.advance() {}
+    race.field.sort_meetings();
     Tracks {
         motorcycles: race.field.tracks,
         meetings: race.field.meetings,
@@ -234,58 +76,149 @@ pub(super) fn run<G: Ground>(
 impl<'a, G: Ground> Race<'a, G> {
     /// Puts what was found into the queues.
     fn file(&mut self) {
-        let planes = self.field.planes;
         let hits = self.found.hits.drain(..);
-        self.hits.extend(hits.map(|hit| Queued(hit, planes)));
+        self.hits.extend(hits.map(|hit| Reverse(Queued(hit))));
         let steps = self.found.steps.drain(..);
         self.steps.extend(steps.map(Reverse));
     }
 
-    /// Takes a step, or settles a moment. False if there is nothing left to do.
+    /// Settles the next cluster of hits. False if there is nothing left to do.
     fn advance(&mut self) -> bool {
-        while self
-            .hits
-            .peek()
-            .is_some_and(|hit| !self.field.moves(hit.0.who))
-        {
-            self.hits.pop();
-        }
-        let until = self
-            .hits
-            .peek()
-            .map_or(f64::INFINITY, |hit| hit.0.bounds.high);
-        if let Some(&Reverse(step)) = self.steps.peek()
-            && step.low <= until
-        {
-            self.steps.pop();
-            if self.field.moves(step.who) {
-                self.ground.step(&self.field, step, &mut self.found);
-                self.file();
-            }
+        let mut cluster = Vec::new();
+        let mut high = f64::NEG_INFINITY;
+        self.gather(&mut cluster, &mut high);
+        if let [hit] = *cluster {
+            self.settle(&[hit]);
             return true;
         }
-        let Some(Queued(first, _)) = self.hits.pop() else {
-            return false;
-        };
-        let batch = self.all_of_the_moment(first);
-        self.settle(&batch);
-        true
+        while !cluster.is_empty() {
+            let (fertile, sterile) = self.components(&cluster);
+            if fertile.is_empty() {
+                for hits in sterile {
+                    self.settle_in_order(hits, false);
+                }
+                return true;
+            }
+            // Whoever is born may get in the way of any of them.
+            cluster = self.settle_in_order(fertile.concat(), true);
+            cluster.extend(sterile.into_iter().flatten());
+            self.gather(&mut cluster, &mut high);
+            cluster.retain(|hit| self.field.moves(hit.who));
+        }
+        !(self.hits.is_empty() && self.steps.is_empty())
     }
 
-    /// All hits of the moment of the first one.
-    fn all_of_the_moment(&mut self, first: Hit) -> Vec<Hit> {
-        let mut batch = vec![first];
-        while let Some(Queued(hit, _)) = self.hits.peek() {
-            if self.field.moves(hit.who) {
-                let now = (&first.place, first.bounds);
-                if self.field.compare((&hit.place, hit.bounds), now).is_ne() {
-                    break;
-                }
-                batch.push(*hit);
+    /// Adds to a cluster the hits whose bounds overlap it, whose upper bound is told, or the first of all.
+    fn gather(&mut self, cluster: &mut Vec<Hit>, high: &mut f64) {
+        loop {
+            let next = self
+                .hits
+                .peek()
+                .map(|Reverse(Queued(hit))| (hit.who, hit.bounds));
+            if let Some((who, _)) = next
+                && !self.field.moves(who)
+            {
+                self.hits.pop();
+                continue;
             }
-            self.hits.pop();
+            let next = next.filter(|(_, bounds)| cluster.is_empty() || bounds.low <= *high);
+            // All that may be found up to there has to be found before.
+            let until = match next {
+                Some((_, bounds)) => high.max(bounds.high),
+                None if cluster.is_empty() => f64::INFINITY,
+                None => *high,
+            };
+            if let Some(&Reverse(step)) = self.steps.peek()
+                && step.low <= until
+            {
+                self.steps.pop();
+                if self.field.moves(step.who) {
+                    self.ground.step(&self.field, step, &mut self.found);
+                    self.file();
+                }
+                continue;
+            }
+            if next.is_none() {
+                return;
+            }
+            cluster.extend(self.hits.pop().map(|Reverse(Queued(hit))| hit));
+            *high = until;
         }
-        batch
+    }
+
+    /// The hits of a cluster by groups that do not depend on each other: those in which one may be born, and
+    /// the others.
+    ///
+    /// A hit depends on those of the same motorcycle, and on those of the other one that it runs into, unless that
+    /// one was there before the cluster began.
+    fn components(&self, cluster: &[Hit]) -> (Vec<Vec<Hit>>, Vec<Vec<Hit>>) {
+        let low = cluster
+            .iter()
+            .map(|hit| hit.bounds.low)
+            .fold(f64::INFINITY, f64::min);
+        let mut ids: Vec<u32> = cluster.iter().map(|hit| hit.who).collect();
+        ids.sort_unstable();
+        ids.dedup();
+        let mut parents: Vec<usize> = (0..ids.len()).collect();
+        for hit in cluster {
+            let before = hit.there.is_some_and(|there| there.high < low);
+            let at = |id: u32| ids.binary_search(&id).ok();
+            if let Some(other) = hit.on.other().filter(|_| !before)
+                && let (Some(a), Some(b)) = (at(hit.who), at(other))
+            {
+                let [a, b] = [a, b].map(|i| root(&mut parents, i));
+                parents[a.max(b)] = a.min(b);
+            }
+        }
+        let mut hits: Vec<(usize, Hit)> = (cluster.iter())
+            .map(|hit| {
+                let at = ids.binary_search(&hit.who).expect("it is among them");
+                (root(&mut parents, at), *hit)
+            })
+            .collect();
+        hits.sort_by_key(|(component, _)| *component);
+        let groups = hits.chunk_by(|a, b| a.0 == b.0);
+        groups
+            .map(|group| group.iter().map(|(_, hit)| *hit).collect::<Vec<_>>())
+            .partition(|group| group.iter().any(|hit| self.is_fertile(hit)))
+    }
+
+    /// Whether somebody may be born where two meet: if it is between them.
+    fn is_fertile(&self, hit: &Hit) -> bool {
+        let Obstacle::Rival(other) = hit.on else {
+            return false;
+        };
+        let [a, b] = [hit.who, other].map(|who| self.field.tracks[who as usize].pair);
+        self.births
+            && [[a, b], [b, a]]
+                .iter()
+                .any(|members| births::is_born(self.field.planes, members))
+    }
+
+    /// Settles hits moment by moment; until somebody is born, if that is wanted. Returns those that are left.
+    fn settle_in_order(&mut self, mut hits: Vec<Hit>, until_birth: bool) -> Vec<Hit> {
+        let at = |hit: &Hit| (hit.place, hit.bounds);
+        let field = &self.field;
+        let order = |p: &Hit, q: &Hit| {
+            let (p, q) = (at(p), at(q));
+            field.compare((&p.0, p.1), (&q.0, q.1))
+        };
+        if hits.len() > 1 {
+            hits.sort_by(order);
+        }
+        let sizes: Vec<usize> = (hits.chunk_by(|p, q| order(p, q).is_eq()))
+            .map(<[Hit]>::len)
+            .collect();
+        let mut from = 0;
+        for size in sizes {
+            let (batch, count) = (&hits[from..from + size], self.field.tracks.len());
+            self.settle(batch);
+            from += size;
+            if until_birth && self.field.tracks.len() > count {
+                break;
+            }
+        }
+        hits.split_off(from)
     }
 
     /// Whether what is hit is there.
@@ -299,11 +232,8 @@ impl<'a, G: Ground> Race<'a, G> {
 
     /// Settles all hits of one moment.
     fn settle(&mut self, batch: &[Hit]) {
-        let mut valid: Vec<Hit> = batch
-            .iter()
-            .filter(|hit| self.counts(hit))
-            .copied()
-            .collect();
+        let moves = |hit: &&Hit| self.field.moves(hit.who) && self.counts(hit);
+        let mut valid: Vec<Hit> = batch.iter().filter(moves).copied().collect();
         valid.sort_by_key(|hit| (hit.who, hit.on.rank()));
         // Those that meet, by the first one of their meeting.
         let mut rivals: Vec<(u32, Hit)> = Vec::new();

@@ -79,7 +79,7 @@ pub(super) fn sectors(figure: &Figure, planes: &Planes) -> Vec<Sector> {
         if !mesh.inside[t] {
             continue;
         }
-        for corner in 0..3 {
+        for (corner, &vertex) in corners.iter().enumerate() {
             // The side from this corner to the next one.
             let Some(out) = facing(figure, t, prev(corner)) else {
                 continue;
@@ -88,7 +88,7 @@ pub(super) fn sectors(figure: &Figure, planes: &Planes) -> Vec<Sector> {
             if !planes.turn(inn, out).is_negative() {
                 continue;
             }
-            let vertex = VertexId::new(corners[corner] as usize);
+            let vertex = VertexId::new(vertex as usize);
             found.push(Sector {
                 triangle: t as u32,
                 corner,

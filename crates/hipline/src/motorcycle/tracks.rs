@@ -34,8 +34,8 @@ pub(crate) enum Crash {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Track {
     /// The planes on which it moves, the first turning left into the second. It is a reflex vertex of the
-    /// wavefront, so the first is that of the wavefront edge which starts at it, on its left as it moves,
-    /// the second that of the one which ends at it: like [`Trace::pair`](crate::wavefront::Trace::pair).
+    /// wavefront, so the first is that of the wavefront edge which starts at it, on its right as it moves,
+    /// the second that of the one which ends at it, on its left: like [`Trace::pair`](crate::wavefront::Trace::pair).
     pub pair: [PlaneId; 2],
     /// Where it comes from.
     pub origin: Origin,
@@ -64,6 +64,6 @@ pub(crate) struct Tracks {
     /// First those that somebody placed or that start at vertices, in the order of these; then those
     /// of the meetings.
     pub motorcycles: Vec<Track>,
-    /// In the order of time; those of one moment in the order of their first members.
+    /// In the order of their times, correctly rounded; of equal ones, in that of their first members.
     pub meetings: Vec<Meeting>,
 }

@@ -11,7 +11,8 @@
 
 use super::{
     encounter::{Window, encounter},
-    race::{Field, Found, Ground, Step},
+    field::{Field, Ground},
+    hits::{Found, Step},
     start::{Sector, across, facing, next, prev},
     walls::Edges,
 };
@@ -30,8 +31,8 @@ struct Entry {
     who: u32,
     /// The next entry of the triangle.
     next: u32,
-    /// It has left the triangle by then.
-    until: f64,
+    /// From when on it may be in the triangle, and by when it has left.
+    stay: [f64; 2],
 }
 
 /// How a path leaves a triangle.
@@ -93,15 +94,22 @@ impl<'a> Walks<'a> {
         })
     }
 
-    /// A motorcycle goes through a triangle.
-    fn enter(&mut self, field: &Field, who: u32, triangle: usize, exit: Exit, found: &mut Found) {
+    /// A motorcycle goes through a triangle, not before a time.
+    fn enter(
+        &mut self,
+        field: &Field,
+        (who, from): (u32, f64),
+        triangle: usize,
+        exit: Exit,
+        found: &mut Found,
+    ) {
         let cell = triangle as u32;
         let until = match exit {
             Exit::Corner(k) => self.reach(field, who, triangle, k, found),
             Exit::Along(side, k) => {
                 let until = self.reach(field, who, triangle, k, found);
                 let (other, _) = across(self.edges.figure().mesh(), triangle, side);
-                self.note(field, who, other, until, found);
+                self.note(field, who, other, [from, until], found);
                 until
             }
             Exit::Side(k) => {
@@ -124,7 +132,7 @@ impl<'a> Walks<'a> {
                 }
             }
         };
-        self.note(field, who, triangle, until, found);
+        self.note(field, who, triangle, [from, until], found);
     }
 
     /// A motorcycle will crash in a corner. Returns by when.
@@ -137,12 +145,20 @@ impl<'a> Walks<'a> {
     }
 
     /// Notes who goes through a triangle, after a look at those who do.
-    fn note(&mut self, field: &Field, who: u32, triangle: usize, until: f64, found: &mut Found) {
+    fn note(
+        &mut self,
+        field: &Field,
+        who: u32,
+        triangle: usize,
+        stay: [f64; 2],
+        found: &mut Found,
+    ) {
         let mut at = self.first[triangle];
         while at != NONE {
             let entry = self.entries[at as usize];
             let window = Window {
-                until: [entry.until, until],
+                from: [entry.stay[0], stay[0]],
+                until: [entry.stay[1], stay[1]],
                 cell: triangle as u32,
             };
             encounter(field, entry.who, who, window, found);
@@ -151,7 +167,7 @@ impl<'a> Walks<'a> {
         let entry = Entry {
             who,
             next: self.first[triangle],
-            until,
+            stay,
         };
         self.first[triangle] = self.entries.len() as u32;
         self.entries.push(entry);
@@ -172,7 +188,7 @@ impl<'a> Walks<'a> {
                 Sign::Zero => Exit::Along(next(corner), last),
                 Sign::Positive => Exit::Side(corner),
             };
-            self.enter(field, who, triangle, exit, found);
+            self.enter(field, (who, 0.0), triangle, exit, found);
             return;
         }
     }
@@ -183,23 +199,21 @@ impl<'a> Walks<'a> {
         // Counterclockwise, from its right to its left.
         let turns = |from: usize, to: usize| sides[from].is_negative() && sides[to].is_positive();
         let zeros = |from: usize, to: usize| sides[from].is_zero() && sides[to].is_zero();
-        for k in 0..3 {
+        let exit = |k: usize| {
             if turns(next(k), prev(k)) {
-                return Exit::Side(k);
+                Some(Exit::Side(k))
+            } else if sides[k].is_zero() && turns(prev(k), next(k)) {
+                Some(Exit::Corner(k))
+            } else if zeros(next(k), prev(k)) {
+                let is_left = sides[k].is_positive();
+                Some(Exit::Along(k, if is_left { prev(k) } else { next(k) }))
+            } else {
+                None
             }
-            if sides[k].is_zero() && turns(prev(k), next(k)) {
-                return Exit::Corner(k);
-            }
-            if zeros(next(k), prev(k)) {
-                let to = if sides[k].is_positive() {
-                    prev(k)
-                } else {
-                    next(k)
-                };
-                return Exit::Along(k, to);
-            }
-        }
-        unreachable!("motorcycle {who} does not go through triangle {triangle}")
+        };
+        (0..3).find_map(exit).unwrap_or_else(|| {
+            unreachable!("motorcycle {who} does not go through triangle {triangle}")
+        })
     }
 
     /// Whether a place is in a triangle or on its boundary.
@@ -226,7 +240,8 @@ impl Ground for Walks<'_> {
             .find(|&cell| self.contains(field, cell, place))
             .expect("those who meet go through one triangle");
         let exit = self.exit(field, who, triangle);
-        self.enter(field, who, triangle, exit, found);
+        let from = field.starts[who as usize].low;
+        self.enter(field, (who, from), triangle, exit, found);
     }
 
     fn step(&mut self, field: &Field, step: Step, found: &mut Found) {
@@ -237,6 +252,6 @@ impl Ground for Walks<'_> {
             Sign::Negative => Exit::Side(prev(back)),
             Sign::Zero => Exit::Corner(back),
         };
-        self.enter(field, step.who, triangle, exit, found);
+        self.enter(field, (step.who, step.low), triangle, exit, found);
     }
 }

@@ -1,6 +1,9 @@
 //! What stands still: the edges of a figure, or walls that somebody placed.
 
-use super::race::{Field, Found, Hit, Obstacle};
+use super::{
+    field::Field,
+    hits::{Found, Hit, Obstacle},
+};
 use crate::{
     input::Figure,
     predicates::{Bounds, Place, PlaneId, Rail},
@@ -45,7 +48,8 @@ impl<'a> Edges<'a> {
         self.figure
     }
 
-    /// The hit of a motorcycle on a vertex of its path, if that lies ahead.
+    /// The hit of a motorcycle on a vertex of its path, if that lies ahead. (None either if all edges
+    /// there are along the path: then their other ends come before.)
     pub(super) fn hit_vertex(
         &self,
         field: &Field,
@@ -58,8 +62,7 @@ impl<'a> Edges<'a> {
         // Any edge there that is not parallel to the path tells when it is reached.
         let plane = (self.edges[from..to].iter())
             .map(|&edge| PlaneId(2 * edge))
-            .find(|&plane| !field.planes.moves_away(pair, plane).is_zero())
-            .expect("a vertex is reached before all edges along the path");
+            .find(|&plane| !field.planes.moves_away(pair, plane).is_zero())?;
         let place = Place::On {
             pair,
             rail: Rail::Edge(plane),
@@ -69,6 +72,7 @@ impl<'a> Edges<'a> {
             on: Obstacle::Vertex(vertex),
             place,
             bounds,
+            there: None,
             cell,
         })
     }
@@ -89,6 +93,7 @@ impl<'a> Edges<'a> {
             on: Obstacle::Wall(PlaneId(plane.0 + u32::from(from_right))),
             place,
             bounds,
+            there: None,
             cell,
         })
     }
@@ -157,6 +162,7 @@ impl Segment {
             on: Obstacle::Wall(self.line),
             place,
             bounds,
+            there: None,
             cell,
         })
     }

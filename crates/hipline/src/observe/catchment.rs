@@ -5,7 +5,10 @@
 //! that side of the edge, and a river system has those of all its edges.
 
 use super::{Terrain, Window, terrain::Sum};
-use crate::{input::Figure, topology::FaceId};
+use crate::{
+    input::Figure,
+    topology::{FaceId, Sets},
+};
 use std::collections::BTreeMap;
 
 /// The connected components of a figure: river systems.
@@ -15,19 +18,6 @@ pub struct Systems {
     count: usize,
 }
 
-fn root(parents: &mut [usize], mut i: usize) -> usize {
-    while parents[i] != i {
-        parents[i] = parents[parents[i]];
-        i = parents[i];
-    }
-    i
-}
-
-fn unite(parents: &mut [usize], i: usize, j: usize) {
-    let (i, j) = (root(parents, i), root(parents, j));
-    parents[i.max(j)] = i.min(j);
-}
-
 impl Systems {
     /// The components, numbered by their first edges.
     ///
@@ -35,14 +25,14 @@ impl Systems {
     /// Nearly linear.
     #[must_use]
     pub fn new(figure: &Figure) -> Self {
-        let mut parents: Vec<usize> = (0..figure.vertices().len()).collect();
+        let mut sets = Sets::new(figure.vertices().len());
         for edge in figure.edges() {
-            unite(&mut parents, edge.from.index(), edge.to.index());
+            sets.join(edge.from.index(), edge.to.index());
         }
         let mut numbers = BTreeMap::new();
         let mut of_edges = Vec::with_capacity(figure.edges().len());
         for edge in figure.edges() {
-            let root = root(&mut parents, edge.from.index());
+            let root = sets.root(edge.from.index());
             let next = numbers.len();
             of_edges.push(*numbers.entry(root).or_insert(next));
         }
@@ -170,7 +160,7 @@ struct Outlines<'a> {
     keys: &'a [usize],
     /// The triangle on the left of each directed edge.
     left: BTreeMap<[u32; 2], u32>,
-    parents: Vec<usize>,
+    sets: Sets,
 }
 
 impl<'a> Outlines<'a> {
@@ -182,19 +172,19 @@ impl<'a> Outlines<'a> {
                 left.insert(edge, i as u32);
             }
         }
-        let mut parents: Vec<usize> = (0..keys.len()).collect();
+        let mut sets = Sets::new(keys.len());
         for (&[a, b], &i) in &left {
             if let Some(&j) = left.get(&[b, a])
                 && keys[i as usize] == keys[j as usize]
             {
-                unite(&mut parents, i as usize, j as usize);
+                sets.join(i as usize, j as usize);
             }
         }
         Self {
             terrain,
             keys,
             left,
-            parents,
+            sets,
         }
     }
 
@@ -214,7 +204,7 @@ impl<'a> Outlines<'a> {
             if done.contains_key(&first) || !self.is_border(first, triangle) {
                 continue;
             }
-            let part = root(&mut self.parents, triangle as usize);
+            let part = self.sets.root(triangle as usize);
             let mut ring = Vec::new();
             let (mut edge, mut triangle) = (first, triangle);
             while done.insert(edge, true).is_none() {

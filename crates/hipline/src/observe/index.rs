@@ -39,8 +39,9 @@ pub enum NoAnswer {
     /// The skeleton does not cover this part of the plane.
     #[error("the point ({0}, {1}) is outside of what the skeleton covers")]
     Outside(f64, f64),
-    /// The point is 2^200 times as far away as the figure is large, or more.
-    #[error("the point ({0}, {1}) is too far from the figure")]
+    /// The wavefront never arrives there, because edges stand still; or the point is 2^200 times as far away as the
+    /// figure is large, or more.
+    #[error("the wavefront never arrives at ({0}, {1}), or the point is too far away")]
     TooFar(f64, f64),
     /// A drop that crosses arcs, which takes weights, comes back to where it was: the places of
     /// crossings are rounded.
@@ -215,7 +216,7 @@ impl<'a> Index<'a> {
 
     fn arrival(&self, face: FaceId, query: &Query) -> f64 {
         let planes = self.plan.planes();
-        planes.arrival(query.station(planes), self.plan.definitions.plane(face))
+        planes.arrival(query.station(planes), self.plan.lift.plane(face))
     }
 
     fn answer(&self, face: FaceId, query: &Query) -> Answer {

@@ -3,6 +3,7 @@
 //!
 //! ```text
 //! plan         the borders of the faces, as segments with exact sides
+//! standing     faces without area, in plan
 //! trapezoids   a search structure over them
 //! index        point location and heights, one by one or over a grid
 //! grid         raster cells by scan lines
@@ -22,6 +23,7 @@ mod grid;
 mod index;
 mod plan;
 mod rain;
+mod standing;
 mod terrain;
 mod trapezoids;
 mod window;

@@ -5,15 +5,16 @@
 //! cut off at a time so late that nobody asks for what comes after it, and the wavefront at that
 //! time closes the faces.
 
+use super::standing::{Standing, add_clusters, has_no_area};
 use crate::{
     input::Figure,
-    offset::Definitions,
+    lift::Lift,
     predicates::{Place, Planes, Spot, Station, Track, rough_side},
-    skeleton::{ArcKind, NodeKind, Skeleton},
+    skeleton::{ArcKind, Region, Side, Skeleton},
     topology::{ArcId, EdgeId, FaceId, NodeId},
 };
 use hipline_num::Sign;
-use std::{cell::OnceCell, cmp::Ordering, collections::BTreeMap};
+use std::{cell::OnceCell, cmp::Ordering};
 
 /// What lies beside a segment.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -33,6 +34,8 @@ pub(super) enum Border {
     Arc(ArcId),
     /// The wavefront at the end of time.
     Last,
+    /// A wall of an edge, away from the edge itself.
+    Wall(EdgeId),
 }
 
 /// A segment between two positions.
@@ -88,18 +91,13 @@ impl Query {
 
 /// The segments of a skeleton. Positions are sorted by x, then y, and distinct.
 pub(super) struct Plan<'a> {
-    pub definitions: Definitions<'a>,
+    pub lift: Lift<'a>,
     pub positions: Vec<Position>,
     pub segments: Vec<Segment>,
     /// What lies where no segment is above or below.
     pub background: Ground,
     /// The number of each node's position.
     pub numbers: Vec<u32>,
-}
-
-/// Whether a face has no area: a slower wavefront edge that a faster one has overrun at once.
-pub(super) fn is_flat(skeleton: &Skeleton, face: FaceId) -> bool {
-    skeleton.boundary(face).len() < 3
 }
 
 /// A time at which the wavefront has long left everything that lies near the figure.
@@ -116,34 +114,35 @@ fn end_of_time(skeleton: &Skeleton, figure: &Figure) -> f64 {
 
 impl<'a> Plan<'a> {
     pub(super) fn new(skeleton: &'a Skeleton, figure: &Figure) -> Self {
-        let definitions = Definitions::new(skeleton, figure);
+        let lift = Lift::new(skeleton, figure);
         let last = end_of_time(skeleton, figure);
-        let infinite = |n: NodeId| matches!(skeleton.node(n).kind, NodeKind::Infinite { .. });
         let mut plan = Self {
-            definitions,
+            lift,
             positions: Vec::new(),
             segments: Vec::new(),
             numbers: Vec::new(),
-            background: if (0..skeleton.nodes().len()).any(|n| infinite(NodeId::new(n))) {
-                Ground::Beyond
-            } else {
+            background: if skeleton.region() == Region::Interior {
                 Ground::Outside
+            } else {
+                Ground::Beyond
             },
         };
         let numbers = plan.find_positions(last);
-        plan.add_edges(&numbers);
-        plan.add_arcs(&numbers);
-        plan.add_last(&numbers, last);
+        let mut standing = Vec::new();
+        plan.add_edges(&numbers, &mut standing);
+        plan.add_arcs(&numbers, &mut standing);
+        plan.add_last(&numbers, last, &mut standing);
+        add_clusters(&mut plan, &standing);
         plan.numbers = numbers;
         plan
     }
 
     pub(super) const fn planes(&self) -> &Planes {
-        self.definitions.planes()
+        &self.lift.planes
     }
 
     pub(super) const fn skeleton(&self) -> &'a Skeleton {
-        self.definitions.skeleton()
+        self.lift.skeleton
     }
 
     /// Places all nodes in order; returns the number of each node's position.
@@ -159,12 +158,12 @@ impl<'a> Plan<'a> {
             let position = if node.time.is_finite() {
                 Position {
                     point: [node.x, node.y],
-                    place: self.definitions.place(id),
+                    place: self.lift.place(id),
                     node: Some(id),
                 }
             } else {
                 let arc = far[i].unwrap_or_else(|| panic!("{id} has no arc"));
-                let place = self.definitions.at(arc, last);
+                let place = self.lift.at(arc, last);
                 let [x, y, _] = self.planes().round(&place);
                 Position {
                     point: [x, y],
@@ -202,8 +201,15 @@ impl<'a> Plan<'a> {
         }
     }
 
+    /// Whether something beside a border is a face without area.
+    fn is_beside_standing(&self, grounds: [Ground; 2]) -> bool {
+        grounds
+            .iter()
+            .any(|ground| matches!(ground, Ground::Face(face) if has_no_area(&self.lift, *face)))
+    }
+
     /// Adds a segment, walking from one node to another with the given grounds.
-    fn add(
+    pub(super) fn add(
         &mut self,
         ends: [u32; 2],
         border: Border,
@@ -236,50 +242,62 @@ impl<'a> Plan<'a> {
         });
     }
 
-    /// The edges of the input, each with what the boundaries of faces say lies beside it.
-    fn add_edges(&mut self, numbers: &[u32]) {
+    /// The edges of the input, each with what starts on its two sides.
+    fn add_edges(&mut self, numbers: &[u32], standing: &mut Vec<Standing>) {
         let skeleton = self.skeleton();
         let edges = &skeleton.input().edges;
-        let mut names = BTreeMap::new();
-        for (e, edge) in edges.iter().enumerate() {
-            names.insert(edge.map(|v| v.index()), (e, 0));
-            names.insert([edge[1].index(), edge[0].index()], (e, 1));
-        }
         let mut grounds = vec![[Ground::Outside; 2]; edges.len()];
-        for face in (0..skeleton.faces().len()).map(FaceId::new) {
-            if is_flat(skeleton, face) {
-                continue;
-            }
-            for cycle in std::iter::once(skeleton.boundary(face)).chain(skeleton.holes(face)) {
-                for (i, &a) in cycle.iter().enumerate() {
-                    let b = cycle[(i + 1) % cycle.len()];
-                    if let Some(&(e, side)) = names.get(&[a.index(), b.index()]) {
-                        grounds[e][side] = Ground::Face(face);
-                    }
-                }
+        for (i, face) in skeleton.faces().iter().enumerate() {
+            let ground = Ground::Face(FaceId::new(i));
+            match face.side {
+                Side::Left if face.phase == 0 => grounds[face.edge.index()][0] = ground,
+                Side::Right if face.phase == 0 => grounds[face.edge.index()][1] = ground,
+                _ => {}
             }
         }
-        for (e, ends) in edges.iter().enumerate() {
-            let [p, q] = ends.map(|v| &skeleton.nodes()[v.index()]);
+        for (e, nodes) in edges.iter().enumerate() {
+            let [p, q] = nodes.map(|v| &skeleton.nodes()[v.index()]);
             let track = Track::Through([[p.x, p.y], [q.x, q.y]]);
-            let ends = ends.map(|v| numbers[v.index()]);
-            self.add(ends, Border::Edge(EdgeId::new(e)), grounds[e], track, false);
+            let ends = nodes.map(|v| numbers[v.index()]);
+            let (border, grounds) = (Border::Edge(EdgeId::new(e)), grounds[e]);
+            if self.is_beside_standing(grounds) {
+                standing.push(Standing {
+                    ends,
+                    border,
+                    grounds,
+                });
+            } else {
+                self.add(ends, border, grounds, track, false);
+            }
         }
     }
 
-    fn add_arcs(&mut self, numbers: &[u32]) {
+    fn add_arcs(&mut self, numbers: &[u32], standing: &mut Vec<Standing>) {
         let skeleton = self.skeleton();
         for (i, arc) in skeleton.arcs().iter().enumerate() {
-            if arc.faces.iter().any(|&face| is_flat(skeleton, face)) {
-                continue;
-            }
             let id = ArcId::new(i);
             let [from, to] = arc.nodes.map(|n| numbers[n.index()]);
-            let [f, g] = arc.faces.map(|face| self.definitions.plane(face));
+            let (border, grounds) = (Border::Arc(id), arc.faces.map(Ground::Face));
+            if self.is_beside_standing(grounds) {
+                standing.push(Standing {
+                    ends: [from, to],
+                    border,
+                    grounds,
+                });
+                continue;
+            }
+            let [f, g] = arc.faces.map(|face| self.lift.plane(face));
             let (track, flipped) = if arc.kind == ArcKind::Ghost {
                 // It goes up, so that its left is nearer to the start of the edge.
-                let start = self.definitions.place(arc.nodes[0]);
+                let start = self.lift.place(arc.nodes[0]);
                 (Track::Across(f, start), true)
+            } else if self.planes().coplanar(f, g) {
+                // One of them has overrun the other: they part their ways later.
+                let [p, q] = [from, to].map(|k| &self.positions[k as usize].place);
+                let forward = (self.planes())
+                    .compare_spots_along(Spot::Place(p), Spot::Place(q), f)
+                    .is_lt();
+                (Track::Along(f, *p), !forward)
             } else {
                 let left = match self.planes().turn(f, g) {
                     Sign::Zero => {
@@ -293,13 +311,12 @@ impl<'a> Plan<'a> {
                 };
                 (Track::Equal([f, g]), left.is_negative())
             };
-            let grounds = arc.faces.map(Ground::Face);
-            self.add([from, to], Border::Arc(id), grounds, track, flipped);
+            self.add([from, to], border, grounds, track, flipped);
         }
     }
 
     /// The wavefront at the end of time.
-    fn add_last(&mut self, numbers: &[u32], last: f64) {
+    fn add_last(&mut self, numbers: &[u32], last: f64, standing: &mut Vec<Standing>) {
         let skeleton = self.skeleton();
         let infinite = |n: NodeId| skeleton.node(n).time.is_infinite();
         for face in (0..skeleton.faces().len()).map(FaceId::new) {
@@ -307,11 +324,20 @@ impl<'a> Plan<'a> {
                 for (i, &a) in cycle.iter().enumerate() {
                     let b = cycle[(i + 1) % cycle.len()];
                     if a != b && infinite(a) && infinite(b) {
-                        let track = Track::Level(self.definitions.plane(face), last);
+                        let track = Track::Level(self.lift.plane(face), last);
                         let ends = [a, b].map(|n| numbers[n.index()]);
                         // The face is on the left, and what comes later is positive.
                         let grounds = [Ground::Face(face), Ground::Beyond];
-                        self.add(ends, Border::Last, grounds, track, true);
+                        let border = Border::Last;
+                        if self.is_beside_standing(grounds) {
+                            standing.push(Standing {
+                                ends,
+                                border,
+                                grounds,
+                            });
+                        } else {
+                            self.add(ends, border, grounds, track, true);
+                        }
                     }
                 }
             }

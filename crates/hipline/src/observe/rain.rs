@@ -148,7 +148,7 @@ impl Index<'_> {
 
     /// Straight down in a face, and where that leads to.
     fn down(&self, face: FaceId, from: &Origin, barred: Option<u32>) -> (Next, Option<[f64; 3]>) {
-        let plane = self.plan.definitions.plane(face);
+        let plane = self.plan.lift.plane(face);
         let planes = self.plan.planes();
         let Some((segment, node)) = self.exit(face, from, barred) else {
             // Rounding has put a crossing beside the face: the nearest corner is below it.
@@ -162,7 +162,7 @@ impl Index<'_> {
         let spot = from.spot(self);
         let landing = planes.round_landing(spot, plane, Plan::track(line));
         let next = match (line.border, self.beyond(segment, face)) {
-            (Border::Edge(edge), _) => Next::End(Ending::Edge(edge)),
+            (Border::Edge(edge) | Border::Wall(edge), _) => Next::End(Ending::Edge(edge)),
             (Border::Arc(arc), Ground::Face(other)) => {
                 if self.crosses(arc, face, other, segment) {
                     let [x, y, _] = landing;
@@ -179,7 +179,7 @@ impl Index<'_> {
     /// Whether a drop that comes from a face to an arc goes on in the face beyond.
     fn crosses(&self, arc: ArcId, from: FaceId, to: FaceId, segment: u32) -> bool {
         let [f, _] = self.skeleton().arc(arc).faces;
-        let [p, q] = [from, to].map(|face| self.plan.definitions.plane(face));
+        let [p, q] = [from, to].map(|face| self.plan.lift.plane(face));
         // Of T_f - T_g, the time on the arc's first face less that on its second one.
         let gain = self.plan.planes().downhill_gain(p, q);
         let gain = if from == f { gain } else { -gain };
@@ -197,7 +197,7 @@ impl Index<'_> {
         from: &Origin,
         barred: Option<u32>,
     ) -> Option<(u32, Option<NodeId>)> {
-        let plane = self.plan.definitions.plane(face);
+        let plane = self.plan.lift.plane(face);
         let spot = from.spot(self);
         let along = |position: u32| {
             self.plan
@@ -243,7 +243,7 @@ impl Index<'_> {
     /// Of two segments below a point of a face, whether the first is nearer to it: they do not
     /// cross, so where both are, the end of one tells.
     fn is_higher(&self, segment: u32, other: u32, face: FaceId) -> bool {
-        let plane = self.plan.definitions.plane(face);
+        let plane = self.plan.lift.plane(face);
         let line = |s: u32| &self.plan.segments[s as usize];
         let inside = |position: u32, s: u32| {
             let [a, b] = line(s).ends.map(|end| {
@@ -293,7 +293,7 @@ impl Index<'_> {
                 on.or(at.first().copied()).unwrap_or(own),
             );
         }
-        let definitions = &self.plan.definitions;
+        let lift = &self.plan.lift;
         let mut best: Option<(Way, Stage, FaceId)> = None;
         let mut offer = |way: Way, stage: Stage, on: FaceId| {
             let is_better = best.as_ref().is_none_or(|&(other, _, before)| {
@@ -310,14 +310,14 @@ impl Index<'_> {
         for face in self.faces_at(node) {
             let position = self.number_of(node);
             if self.leads_down(face, node, position) {
-                let way = Way::Plane(definitions.plane(face));
+                let way = Way::Plane(lift.plane(face));
                 offer(way, Stage::Leaving(face, position), face);
             }
         }
         for arc in self.arcs_down(node) {
             let Arc { nodes, faces, .. } = *skeleton.arc(arc);
             let on = if faces.contains(&own) { own } else { faces[0] };
-            offer(Way::Along(definitions.pair(arc)), Stage::Node(nodes[0]), on);
+            offer(Way::Along(lift.pair(arc)), Stage::Node(nodes[0]), on);
         }
         match best {
             Some((_, stage, on)) => (Next::Stage(stage), on),
@@ -351,7 +351,7 @@ impl Index<'_> {
         let arcs = self.segments_at(node).iter().filter_map(|&s| self.arc(s));
         arcs.filter(|&id| {
             let arc = self.skeleton().arc(id);
-            let [f, g] = arc.faces.map(|face| self.plan.definitions.plane(face));
+            let [f, g] = arc.faces.map(|face| self.plan.lift.plane(face));
             arc.kind != ArcKind::Ghost
                 && arc.nodes[1] == node
                 && !self.plan.planes().turn(f, g).is_zero()
@@ -382,7 +382,7 @@ impl Index<'_> {
     /// before, one passes straight down. Angles are counted from there: the direction of the
     /// edge is left of it.
     fn is_down_between(&self, face: FaceId, position: u32, after: NodeId, before: NodeId) -> bool {
-        let plane = self.plan.definitions.plane(face);
+        let plane = self.plan.lift.plane(face);
         let planes = self.plan.planes();
         let [after, before] = [after, before].map(|n| self.number_of(n));
         let quarter = |corner: u32| {

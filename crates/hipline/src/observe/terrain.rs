@@ -4,10 +4,10 @@
 //! cut into triangles, and each triangle by the window. Where the window's border cuts an edge
 //! between two triangles, both get the same corner, so the surface has no cracks.
 
-use super::{InvalidWindow, Window};
+use super::{InvalidWindow, Window, standing::has_no_area};
 use crate::{
     input::Figure,
-    offset::Definitions,
+    lift::Lift,
     roof::{Tiles, tiled},
     skeleton::Skeleton,
     topology::{ArcId, FaceId},
@@ -189,7 +189,7 @@ fn late(skeleton: &Skeleton, figure: &Figure, window: Window) -> f64 {
 
 /// All faces, with time as height.
 fn whole(skeleton: &Skeleton, figure: &Figure, late: f64) -> Option<Tiles> {
-    let definitions = Definitions::new(skeleton, figure);
+    let lift = Lift::new(skeleton, figure);
     let mut vertices: Vec<[f64; 3]> = skeleton
         .nodes()
         .iter()
@@ -198,13 +198,13 @@ fn whole(skeleton: &Skeleton, figure: &Figure, late: f64) -> Option<Tiles> {
     for (i, arc) in skeleton.arcs().iter().enumerate() {
         let [_, end] = arc.nodes;
         if skeleton.node(end).time.is_infinite() {
-            let place = definitions.at(ArcId::new(i), late);
-            vertices[end.index()] = definitions.planes().round(&place);
+            let place = lift.at(ArcId::new(i), late);
+            vertices[end.index()] = lift.planes.round(&place);
         }
     }
     let faces = (0..skeleton.faces().len())
         .map(FaceId::new)
-        .filter(|&face| !super::plan::is_flat(skeleton, face))
+        .filter(|&face| !has_no_area(&lift, face))
         .map(|face| {
             let rings = std::iter::once(skeleton.boundary(face)).chain(skeleton.holes(face));
             (face, rings)

@@ -6,7 +6,7 @@
 //! joined to the outer one by the wavefront: below the distance there is no piece of the face to
 //! keep them apart.)
 
-use super::lift::Lift;
+use crate::lift::Lift;
 use crate::{
     predicates::{Bound, Place, PlaneId, Start},
     skeleton::{ArcKind, NodeKind},

@@ -1,11 +1,10 @@
 //! The loops of the wavefront at each of several distances.
 
-use super::{
-    Offset, OffsetLoop, by_face::ByFace, lift::Lift, parts::Superlevel, sublevel::Sublevel,
-};
+use super::{Offset, OffsetLoop, by_face::ByFace, parts::Superlevel, sublevel::Sublevel};
 use crate::{
     input::Figure,
-    predicates::{Bound, Place},
+    lift::Lift,
+    predicates::Place,
     skeleton::{ArcKind, NodeKind, Skeleton},
     topology::{ArcId, FaceId, NodeId},
 };
@@ -108,14 +107,7 @@ impl Level<'_> {
                 point: [node.x, node.y],
             };
         }
-        let place = if arc.kind == ArcKind::Ghost {
-            self.lift.on_ghost(id, Bound::Time(self.distance))
-        } else {
-            Place::At {
-                pair: self.lift.pair(id),
-                time: self.distance,
-            }
-        };
+        let place = self.lift.at(id, self.distance);
         let [x, y, _] = self.lift.planes.round(&place);
         Crossing {
             arc: id,
@@ -181,7 +173,8 @@ impl Level<'_> {
             .then_with(|| {
                 let pair = |c: &Crossing| {
                     let ghost = self.lift.skeleton.arc(c.arc).kind == ArcKind::Ghost;
-                    (!ghost).then(|| self.lift.pair(c.arc))
+                    let stays = ghost || self.lift.is_upright(c.arc);
+                    (!stays).then(|| self.lift.pair(c.arc))
                 };
                 planes.compare_drifts([pair(p), pair(q)], plane)
             })

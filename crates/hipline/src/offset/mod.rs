@@ -19,15 +19,10 @@
 
 mod bridges;
 mod by_face;
-mod definitions;
 mod level;
-mod lift;
 mod parts;
 mod simple;
 mod sublevel;
-
-pub(crate) use definitions::Definitions;
-pub(crate) use lift::Lift;
 
 use crate::{
     input::Figure,

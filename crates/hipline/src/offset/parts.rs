@@ -5,10 +5,11 @@
 //! the arcs above them, and the edges of the loops themselves, connect them. No geometry is
 //! asked, so touching loops are no difficulty.
 
-use super::{OffsetLoop, Part, bridges::bridges, level::Rank, lift::Lift};
+use super::{OffsetLoop, Part, bridges::bridges, level::Rank};
 use crate::{
+    lift::Lift,
     skeleton::NodeKind,
-    topology::{FaceId, NodeId},
+    topology::{FaceId, NodeId, Sets},
 };
 use std::collections::BTreeMap;
 
@@ -16,7 +17,7 @@ use std::collections::BTreeMap;
 pub(super) struct Superlevel {
     /// Connections that come in when the distance number i is reached.
     waiting: Vec<Vec<[NodeId; 2]>>,
-    parents: Vec<u32>,
+    sets: Sets,
     /// A node at infinity.
     infinite: Option<NodeId>,
 }
@@ -36,12 +37,14 @@ impl Superlevel {
         }
         let mut this = Self {
             waiting,
-            parents: (0..skeleton.nodes().len() as u32).collect(),
+            sets: Sets::new(skeleton.nodes().len()),
             infinite: None,
         };
-        // Far out everything is unswept at any finite time.
+        // Far out everything is unswept at any finite time. (A vertex between edges that stand still goes nowhere.)
         for (i, node) in skeleton.nodes().iter().enumerate() {
-            if matches!(node.kind, NodeKind::Infinite { .. }) {
+            if let NodeKind::Infinite { direction } = node.kind
+                && direction.iter().any(|d| d.abs() > 0.0)
+            {
                 let node = NodeId::new(i);
                 let first = *this.infinite.get_or_insert(node);
                 this.connect(first, node);
@@ -59,47 +62,99 @@ impl Superlevel {
 
     /// Two nodes are found to be in one part.
     pub(super) fn connect(&mut self, a: NodeId, b: NodeId) {
-        let (a, b) = (self.root(a), self.root(b));
-        self.parents[a.max(b) as usize] = a.min(b);
-    }
-
-    fn root(&mut self, node: NodeId) -> u32 {
-        let mut i = node.index() as u32;
-        while self.parents[i as usize] != i {
-            let grandparent = self.parents[self.parents[i as usize] as usize];
-            self.parents[i as usize] = grandparent;
-            i = grandparent;
-        }
-        i
+        self.sets.join(a.index(), b.index());
     }
 
     /// Groups loops, given a node above each of them.
     pub(super) fn parts(&mut self, loops: &[OffsetLoop], seeds: &[NodeId]) -> Vec<Part> {
-        let infinite = self.infinite.map(|node| self.root(node));
-        let mut order: Vec<u32> = Vec::new();
-        let mut groups: BTreeMap<u32, Vec<usize>> = BTreeMap::new();
+        let infinite = self.infinite.map(|node| self.sets.root(node.index()));
+        let mut order: Vec<usize> = Vec::new();
+        let mut groups: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
         for (i, &seed) in seeds.iter().enumerate() {
-            let root = self.root(seed);
+            let root = self.sets.root(seed.index());
             let group = groups.entry(root).or_default();
             if group.is_empty() {
                 order.push(root);
             }
             group.push(i);
         }
-        let part = |root: u32| {
+        let mut found = Found::default();
+        for root in order {
             let mut holes = groups.remove(&root).expect("each group once");
             if infinite == Some(root) {
-                return Part { shell: None, holes };
+                found.unbounded.append(&mut holes);
+                continue;
             }
             // Of a bounded part, one loop is counterclockwise.
             let largest =
                 |&a: &usize, &b: &usize| loops[holes[a]].area().total_cmp(&loops[holes[b]].area());
             let shell = (0..holes.len()).max_by(largest).expect("a part has a loop");
-            Part {
-                shell: Some(holes.remove(shell)),
-                holes,
+            if loops[holes[shell]].area() < 0.0 {
+                found.loose.append(&mut holes);
+                continue;
             }
-        };
-        order.into_iter().map(part).collect()
+            let shell = Some(holes.remove(shell));
+            found.bounded.push(Part { shell, holes });
+        }
+        found.parts(loops)
     }
+}
+
+/// Parts as they are found.
+#[derive(Default)]
+struct Found {
+    bounded: Vec<Part>,
+    /// The loops that bound the part that has no end.
+    unbounded: Vec<usize>,
+    /// Loops around what stands still, for ever and on all sides: no arc leads from them to the others.
+    loose: Vec<usize>,
+}
+
+impl Found {
+    /// Finds out where loose loops lie.
+    fn parts(mut self, loops: &[OffsetLoop]) -> Vec<Part> {
+        for &hole in &self.loose {
+            let around = self.bounded.iter_mut().filter(|part| {
+                let shell = part.shell.expect("bounded parts have shells");
+                lies_in(loops[hole].points(), loops[shell].points())
+            });
+            let area = |part: &Part| part.shell.map_or(0.0, |shell| loops[shell].area());
+            match around.min_by(|p, q| area(p).total_cmp(&area(q))) {
+                Some(part) => part.holes.push(hole),
+                None => self.unbounded.push(hole),
+            }
+        }
+        if !self.unbounded.is_empty() {
+            self.bounded.push(Part {
+                shell: None,
+                holes: self.unbounded,
+            });
+        }
+        self.bounded
+    }
+}
+
+/// Whether a loop lies inside another one, which it does not cross.
+fn lies_in(inner: &[[f64; 2]], outer: &[[f64; 2]]) -> bool {
+    inner
+        .iter()
+        .find_map(|&point| {
+            let mut around = 0;
+            for (&p, &q) in outer.iter().zip(outer.iter().cycle().skip(1)) {
+                let [a, b, c] = [p, q, point].map(|[x, y]| robust::Coord { x, y });
+                let side = robust::orient2d(a, b, c);
+                let rises = p[1] <= point[1] && point[1] < q[1];
+                let falls = q[1] <= point[1] && point[1] < p[1];
+                let within = |k: usize| {
+                    (p[k] <= point[k] && point[k] <= q[k]) || (q[k] <= point[k] && point[k] <= p[k])
+                };
+                if side.abs() <= 0.0 && within(0) && within(1) {
+                    return None;
+                }
+                around += i32::from(rises && side > 0.0);
+                around -= i32::from(falls && side < 0.0);
+            }
+            Some(around != 0)
+        })
+        .unwrap_or(false)
 }

@@ -5,11 +5,12 @@
 //! been reached is connected with the ends of its edge; and edges are connected by their vertices.
 //! Again no geometry is asked.
 
-use super::{OffsetLoop, Part, level::Rank, lift::Lift};
+use super::{OffsetLoop, Part, level::Rank};
 use crate::{
     input::Figure,
+    lift::Lift,
     skeleton::Region,
-    topology::{FaceId, NodeId},
+    topology::{FaceId, NodeId, Sets},
 };
 use std::collections::BTreeMap;
 
@@ -17,7 +18,7 @@ use std::collections::BTreeMap;
 pub(super) struct Sublevel {
     /// Connections that come in when the distance number i is reached.
     waiting: Vec<Vec<[NodeId; 2]>>,
-    parents: Vec<u32>,
+    sets: Sets,
 }
 
 impl Sublevel {
@@ -34,7 +35,7 @@ impl Sublevel {
         }
         let mut this = Self {
             waiting: vec![Vec::new(); distances],
-            parents: (0..skeleton.nodes().len() as u32).collect(),
+            sets: Sets::new(skeleton.nodes().len()),
         };
         // The inside of a polygon is connected.
         let mut polygons: BTreeMap<u32, NodeId> = BTreeMap::new();
@@ -66,25 +67,14 @@ impl Sublevel {
     }
 
     fn connect(&mut self, a: NodeId, b: NodeId) {
-        let (a, b) = (self.root(a), self.root(b));
-        self.parents[a.max(b) as usize] = a.min(b);
-    }
-
-    fn root(&mut self, node: NodeId) -> u32 {
-        let mut i = node.index() as u32;
-        while self.parents[i as usize] != i {
-            let grandparent = self.parents[self.parents[i as usize] as usize];
-            self.parents[i as usize] = grandparent;
-            i = grandparent;
-        }
-        i
+        self.sets.join(a.index(), b.index());
     }
 
     /// Groups loops, given a node below each of them. The shell is the one around the others.
     pub(super) fn parts(&mut self, loops: &[OffsetLoop], seeds: &[NodeId]) -> Vec<Part> {
-        let mut groups: BTreeMap<u32, Vec<usize>> = BTreeMap::new();
+        let mut groups: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
         for (i, &seed) in seeds.iter().enumerate() {
-            let root = self.root(seed);
+            let root = self.sets.root(seed.index());
             groups.entry(root).or_default().push(i);
         }
         let part = |mut holes: Vec<usize>| {

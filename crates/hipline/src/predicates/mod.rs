@@ -3,6 +3,7 @@
 //! Invariant: what leaves this module is a sign, an order or a correctly rounded number for
 //! output; [`Bounds`] only ever saves asking.
 
+mod caps;
 mod clearance;
 mod coplanar;
 mod decide;
@@ -26,6 +27,7 @@ mod section;
 mod speeds;
 mod station;
 mod terminal;
+mod turn;
 
 pub(crate) use eaves::Eave;
 pub(crate) use expression::{Corner, Direction};
@@ -39,3 +41,4 @@ pub(crate) use planes::{PlaneId, Planes};
 pub(crate) use section::Cut;
 pub(crate) use station::{Spot, Station, Track, Way, rough_side};
 pub(crate) use terminal::Terminal;
+pub(crate) use turn::turn;

@@ -200,6 +200,17 @@ impl Lane {
         self.z.minus(&ahead).sign()
     }
 
+    /// On which side of the path another vertex is at a time, if f64 can tell: the left is positive.
+    pub(crate) fn side_at(&self, other: &Self, time: f64) -> Option<Sign> {
+        if !time.is_finite() {
+            return None;
+        }
+        let time = Rough::near(known(time, time == 0.0));
+        let [x, y] = [&other.x, &other.y].map(|z| z[0].plus(&z[1].times(&time)));
+        let ahead = self.y[1].times(&x).minus(&self.x[1].times(&y));
+        self.z.times(&other.m).minus(&ahead).sign()
+    }
+
     /// When the vertex passes the line through two points.
     pub(crate) fn pass(&self, p: &[Rough; 2], q: &[Rough; 2]) -> Bounds {
         let [u, v] = [p[1].minus(&q[1]), q[0].minus(&p[0])];

@@ -51,6 +51,10 @@ pub(crate) struct Phases {
     of_plane: Vec<(PlaneId, u32, u32)>,
     /// The times of changes, ascending, and the planes of one height there.
     levels: Vec<(f64, PlaneId)>,
+    /// For each time of a change, in the same order, the planes that others follow then, with those.
+    steps: Vec<Vec<(PlaneId, PlaneId)>>,
+    /// For each of these times, which eaves have their lower end there.
+    births: Vec<Vec<u32>>,
     /// The plane of the second and later phases, in order, from number `first` of lines on: that of the
     /// first phase, and omega.
     later: Vec<(PlaneId, Dyadic)>,
@@ -118,7 +122,47 @@ impl Phases {
         phases.levels = levels
             .map(|(i, time)| (time, PlaneId(2 * (line + i) as u32)))
             .collect();
+        phases.sort_by_time();
         phases
+    }
+
+    /// Finds out what happens at each of the times.
+    fn sort_by_time(&mut self) {
+        self.steps = vec![Vec::new(); self.levels.len()];
+        self.births = vec![Vec::new(); self.levels.len()];
+        let find = |time: f64| {
+            self.levels
+                .binary_search_by(|level| level.0.total_cmp(&time))
+        };
+        for course in self.courses.iter().filter(|course| !course.tilted) {
+            for (speed, planes) in course.speeds[1..].iter().zip(course.planes.windows(2)) {
+                if let Ok(k) = find(speed[0]) {
+                    self.steps[k].push((planes[0], planes[1]));
+                }
+            }
+        }
+        for (i, eave) in self.eaves.iter().enumerate() {
+            if let Ok(k) = find(eave.from) {
+                self.births[k].push(i as u32);
+            }
+        }
+    }
+
+    /// The planes that others follow at the time with this number, with those.
+    pub(crate) fn steps(&self, level: usize) -> &[(PlaneId, PlaneId)] {
+        &self.steps[level]
+    }
+
+    /// The tilted eaves whose lower end is at the time with this number; at time zero without one.
+    pub(crate) fn births(&self, level: Option<usize>) -> Vec<Eave> {
+        match level {
+            Some(level) => (self.births[level].iter())
+                .map(|&i| self.eaves[i as usize])
+                .collect(),
+            None => (self.eaves.iter().copied())
+                .filter(|eave| eave.from <= 0.0)
+                .collect(),
+        }
     }
 
     /// What one side of an edge does over time, if it does more than moving.
@@ -238,14 +282,6 @@ impl Phases {
             return None;
         }
         (from.to_bits() == time.to_bits()).then(|| course.planes[phase + 1])
-    }
-
-    /// The plane that a wavefront edge, named by its first plane, comes to move on at the given time.
-    pub(crate) fn origin_after(&self, first: PlaneId, time: f64) -> Option<PlaneId> {
-        let (course, _) = self.find(first)?;
-        let starts = |speed: &[f64; 2]| speed[0].to_bits() == time.to_bits();
-        let phase = course.speeds.iter().skip(1).position(starts)? + 1;
-        Some(course.planes[phase])
     }
 
     /// All tilted eaves.

@@ -86,6 +86,8 @@ pub(crate) enum Track {
     /// The perpendicular to a plane's edge through a place; what is further along the edge is
     /// positive.
     Across(PlaneId, Place),
+    /// The parallel to a plane's edge through a place; what the wavefront reaches later is positive.
+    Along(PlaneId, Place),
     /// Where a plane's wavefront edge is at a time; what comes later is positive.
     Level(PlaneId, f64),
 }
@@ -122,6 +124,13 @@ pub(super) fn line<T: Rung>(planes: &Planes, track: &Track) -> ([T; 3], Option<S
             let start = point::<T>(planes, start);
             let (u, v) = (plane.b.times(&start.w), plane.a.negated().times(&start.w));
             let z = plane.b.times(&start.x).minus(&plane.a.times(&start.y));
+            ([u, v, z], start.w.sign())
+        }
+        Track::Along(plane, start) => {
+            let plane = T::plane(planes, *plane);
+            let start = point::<T>(planes, start);
+            let (u, v) = (plane.a.times(&start.w), plane.b.times(&start.w));
+            let z = plane.a.times(&start.x).plus(&plane.b.times(&start.y));
             ([u, v, z], start.w.sign())
         }
         Track::Level(plane, time) => {

@@ -1,11 +1,13 @@
-//! Vertices of degree one, which emit a wavefront edge of their own.
+//! Ends of edges that emit a wavefront edge of their own: vertices of degree one, and in modified
+//! skeletons [`caps`] at acute angles.
 
+use super::caps;
 use crate::{
     input::Figure,
     topology::{EdgeId, VertexId},
 };
 
-/// A vertex of degree one.
+/// A vertex of degree one, or a cap.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Terminal {
     /// The vertex.
@@ -19,6 +21,28 @@ pub(crate) struct Terminal {
 }
 
 impl Terminal {
+    /// All terminals of a figure; after them, if its skeleton is a modified one, its caps.
+    pub(crate) fn with_caps(figure: &Figure, modified: bool) -> Vec<Self> {
+        let mut list = Self::all(figure);
+        if modified && figure.is_plain() {
+            list.append(&mut caps::caps(figure));
+        }
+        list
+    }
+
+    /// The number of the terminal or cap at an end of an edge, in a list of [`Self::with_caps`] that starts
+    /// with so many terminals.
+    pub(crate) fn find(list: &[Self], terminals: usize, tip: usize, edge: usize) -> Option<usize> {
+        let (plain, caps) = list.split_at(terminals);
+        if let Ok(i) = plain.binary_search_by_key(&tip, |terminal| terminal.tip) {
+            return Some(i);
+        }
+        let first = caps.partition_point(|cap| cap.tip < tip);
+        let two = &caps[first..caps.len().min(first + 2)];
+        let is_it = |cap: &Self| cap.tip == tip && cap.edge == edge;
+        two.iter().position(is_it).map(|i| terminals + first + i)
+    }
+
     /// All terminals of a figure, in the order of their vertices: the order of their planes.
     pub(crate) fn all(figure: &Figure) -> Vec<Self> {
         if figure.terminals() == 0 {

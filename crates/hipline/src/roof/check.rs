@@ -2,10 +2,11 @@
 
 use super::{
     contact,
-    half_edges::{HalfEdges, Sets},
+    half_edges::HalfEdges,
     mesh::{Mesh, edges},
     plane::orientation,
 };
+use crate::topology::Sets;
 use dashu_int::IBig;
 use hipline_num::f64_to_parts;
 

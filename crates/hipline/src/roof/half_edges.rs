@@ -120,28 +120,3 @@ impl HalfEdges {
         rims
     }
 }
-
-/// Sets of numbers that are joined step by step.
-pub(super) struct Sets(Vec<usize>);
-
-impl Sets {
-    /// Each of the numbers below `count` by itself.
-    pub fn new(count: usize) -> Self {
-        Self((0..count).collect())
-    }
-
-    /// The smallest number of a set.
-    pub fn root(&mut self, mut i: usize) -> usize {
-        while self.0[i] != i {
-            self.0[i] = self.0[self.0[i]];
-            i = self.0[i];
-        }
-        i
-    }
-
-    /// Joins the sets of two numbers.
-    pub fn join(&mut self, a: usize, b: usize) {
-        let (a, b) = (self.root(a), self.root(b));
-        self.0[a.max(b)] = a.min(b);
-    }
-}

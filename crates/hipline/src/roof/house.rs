@@ -74,6 +74,10 @@ impl Figure {
     /// # Errors
     /// See [`InvalidRoof`].
     pub fn roof(&self, options: &RoofOptions) -> Result<Mesh, InvalidRoof> {
+        let options = &RoofOptions {
+            steepness: self.steepness(options)?,
+            ..options.clone()
+        };
         let plan = plan(self, options)?;
         let base = Base {
             ground: options.ground,
@@ -113,6 +117,42 @@ impl Figure {
             mesh.split_fans();
         }
         Ok(mesh)
+    }
+}
+
+impl Figure {
+    /// The slope above the break that gives a mansard or gambrel roof its height, with the break where it is asked for. If
+    /// the break is above that height or all of the roof, it is lowered in proportion; so nothing is said then.
+    fn steepness(&self, options: &RoofOptions) -> Result<Steepness, InvalidRoof> {
+        let (Steepness::Height(height), RoofShape::Mansard | RoofShape::Gambrel) =
+            (options.steepness, options.shape)
+        else {
+            return Ok(options.steepness);
+        };
+        options.check()?;
+        let whole = RoofOptions {
+            shape: if options.shape == RoofShape::Mansard {
+                RoofShape::Hip
+            } else {
+                RoofShape::Gable
+            },
+            steepness: Steepness::Slope(1.0),
+            ..options.clone()
+        };
+        let changed = plan(self, &whole)?.apply(self, 0.0);
+        let figure = changed.as_ref().unwrap_or(self);
+        let skeleton = figure.skeleton(Options::default().region(Region::Auto));
+        let times = skeleton.nodes().iter().map(|node| node.time);
+        let reach = times.filter(|time| time.is_finite()).fold(0.0, f64::max);
+        let (above, inside) = (
+            height - options.break_height,
+            reach - options.break_height / options.lower_slope,
+        );
+        Ok(if above > 0.0 && inside > 0.0 {
+            Steepness::Slope(above / inside)
+        } else {
+            options.steepness
+        })
     }
 }
 

@@ -51,7 +51,8 @@ pub struct RoofOptions {
     pub gables: Gables,
     /// The slope below the break of a mansard or gambrel roof.
     pub lower_slope: f64,
-    /// How high the break of a mansard or gambrel roof is above the eaves.
+    /// How high the break of a mansard or gambrel roof is above the eaves. It is lowered in proportion if the roof is to be
+    /// lower than that.
     pub break_height: f64,
     /// The height at which the roof meets the outer faces of the walls.
     pub eaves: f64,

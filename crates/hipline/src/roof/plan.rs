@@ -151,8 +151,8 @@ impl Plan {
 ///
 /// A side of a ring of four or more is a chain of edges on one line. It is an end if its two corners turn the
 /// same way, so that the building lies between its neighbours; if these run in opposite
-/// directions, more or less; and if it is not longer than either of them and shorter than one. Of
-/// a ring with four sides of one length the first and the third are ends.
+/// directions, more or less; if it is shorter than one of them, or both lead to reflex corners; and if it is shorter than each of them twice. Of two that
+/// share a corner the shorter one is an end; of a ring with four sides of one length the first and the third are.
 ///
 /// # Complexity
 /// Linear.
@@ -231,20 +231,33 @@ fn ends_of(figure: &Figure, ring: &[usize]) -> Vec<usize> {
         let corner = |a: usize, b: usize| {
             turn(sides[a][sides[a].len() - 1], sides[b][0]) * area.signum() > 0.0
         };
+        // Whether both neighbours lead to the body of the building.
+        let is_wing = |k: usize| {
+            let [first, last] = [(k + m - 2) % m, (k + 2) % m];
+            !corner(first, before) && !corner(after, last)
+        };
         let lengths = [before, k, after].map(|i| dot(vectors[i], vectors[i]));
         let is_equal = m == 4 && lengths[0] <= lengths[1] && lengths[2] <= lengths[1];
         m >= 4
             && corner(before, k)
             && corner(k, after)
             && dot(vectors[before], vectors[after]) < 0.0
-            && lengths[1] <= lengths[0]
-            && lengths[1] <= lengths[2]
-            && (lengths[1] < lengths[0]
-                || lengths[1] < lengths[2]
-                || (is_equal && k.is_multiple_of(2)))
+            // The hip of an end is a triangle, so half of its length leads in to the ridge.
+            && lengths[1] < 4.0 * lengths[0].min(lengths[2])
+            && (lengths[1] < lengths[0].max(lengths[2])
+                || (is_equal && k.is_multiple_of(2))
+                || is_wing(k))
     };
+    let mut order: Vec<usize> = (0..m).filter(|&k| is_end(k)).collect();
+    let length = |k: usize| dot(vectors[k], vectors[k]);
+    order.sort_by(|&a, &b| length(a).total_cmp(&length(b)).then(a.cmp(&b)));
+    // Where two ends share a corner, the shorter one is the gable.
+    let mut chosen = vec![false; m];
+    for k in order {
+        chosen[k] = !chosen[(k + m - 1) % m] && !chosen[(k + 1) % m];
+    }
     (0..m)
-        .filter(|&k| is_end(k))
+        .filter(|&k| chosen[k])
         .flat_map(|k| sides[k].clone())
         .collect()
 }
@@ -288,7 +301,40 @@ mod tests {
         let triangle: &[[f64; 2]] = &[[0., 0.], [9., 0.], [4., 7.]];
         let clockwise: Vec<[f64; 2]> = RECTANGLE.iter().rev().copied().collect();
         type Case<'a> = (&'a str, &'a [[f64; 2]], &'a [usize]);
-        let cases: [Case; 7] = [
+        let short_arms: &[[f64; 2]] = &[
+            [0., 0.],
+            [18., 0.],
+            [18., 7.],
+            [12.5, 7.],
+            [12.5, 14.],
+            [5.5, 14.],
+            [5.5, 7.],
+            [0., 7.],
+        ];
+        let wings: &[[f64; 2]] = &[
+            [0., 0.],
+            [20., 0.],
+            [20., 14.],
+            [12., 14.],
+            [12., 7.],
+            [8., 7.],
+            [8., 14.],
+            [0., 14.],
+        ];
+        let stem: &[[f64; 2]] = &[
+            [0., 0.],
+            [18., 0.],
+            [18., 7.],
+            [12.5, 7.],
+            [12.5, 13.],
+            [6.5, 13.],
+            [6.5, 7.],
+            [0., 7.],
+        ];
+        let cases: [Case; 10] = [
+            ("a tee with short arms", short_arms, &[1, 4, 7]),
+            ("a u with wide wings", wings, &[2, 6]),
+            ("a stem as wide as long", stem, &[1, 4, 7]),
             ("rectangle", RECTANGLE, &[1, 3]),
             ("clockwise", &clockwise, &[1, 3]),
             ("ell", ELL, &[2, 5]),

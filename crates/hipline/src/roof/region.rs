@@ -1,10 +1,7 @@
 //! Regions of the plan: from rings to triangles, and back.
 
-use super::{
-    ears,
-    half_edges::{HalfEdges, Sets},
-    mesh::edges,
-};
+use super::{ears, half_edges::HalfEdges, mesh::edges};
+use crate::topology::Sets;
 use spade::{
     ConstrainedDelaunayTriangulation, Point2, Triangulation, handles::FixedFaceHandle,
     handles::FixedVertexHandle, handles::InnerTag,

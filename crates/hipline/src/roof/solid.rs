@@ -5,10 +5,11 @@
 
 use super::{
     InvalidRoof,
-    half_edges::{HalfEdges, Sets},
+    half_edges::HalfEdges,
     mesh::{Mesh, Surface, edges},
     region::{self, Part, parts},
 };
+use crate::topology::Sets;
 use crate::{input::Figure, topology::EdgeId};
 
 /// What to add to a roof.

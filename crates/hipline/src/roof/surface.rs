@@ -1,12 +1,11 @@
 //! The facets of a roof: from a skeleton, or from any list of planar facets, cut into triangles.
 
 use super::{
-    InvalidRoof, ears,
-    half_edges::Sets,
-    mend,
+    InvalidRoof, ears, mend,
     mesh::{Mesh, Surface},
     region,
 };
+use crate::topology::Sets;
 use crate::{
     skeleton::{NodeKind, Skeleton},
     topology::{EdgeId, FaceId, NodeId},

@@ -23,6 +23,8 @@ pub enum Region {
 pub struct Options {
     /// Which part of the plane.
     pub region: Region,
+    /// Whether each edge is a figure of its own: see [`Options::modified`].
+    pub modified: bool,
 }
 
 impl Options {
@@ -30,6 +32,25 @@ impl Options {
     #[must_use]
     pub const fn region(mut self, region: Region) -> Self {
         self.region = region;
+        self
+    }
+
+    /// Asks for the *modified* straight skeleton (Aichholzer & Aurenhammer 1996, section 5): every
+    /// edge is a figure of its own, and sends out a rectangle. Outside of acute angles the wavefront
+    /// then has two edges more, perpendicular to those that form the angle, and so no reflex vertex of it
+    /// is faster than the square root of two. Without acute angles it is the straight skeleton itself.
+    ///
+    /// At a vertex of more than two edges that is so if all of them lie within less than 90 degrees.
+    /// Elsewhere nothing differs.
+    ///
+    /// Only for speeds of one that never change, and no heights: [`Figure::skeleton_by`] refuses
+    /// others, [`Figure::skeleton`] leaves the option without effect.
+    ///
+    /// [`Figure::skeleton`]: crate::Figure::skeleton
+    /// [`Figure::skeleton_by`]: crate::Figure::skeleton_by
+    #[must_use]
+    pub const fn modified(mut self, modified: bool) -> Self {
+        self.modified = modified;
         self
     }
 }
@@ -95,9 +116,9 @@ pub enum Side {
     Left,
     /// On the right of the edge.
     Right,
-    /// Beyond the edge's first vertex, a terminal.
+    /// Beyond the edge's first vertex: a terminal, or in a modified skeleton an acute angle.
     Start,
-    /// Beyond the edge's second vertex, a terminal.
+    /// Beyond the edge's second vertex: a terminal, or in a modified skeleton an acute angle.
     End,
 }
 
@@ -303,6 +324,27 @@ impl Skeleton {
     #[must_use]
     pub const fn region(&self) -> Region {
         self.region
+    }
+
+    /// Whether it is a modified skeleton that differs from the unmodified one: some face starts
+    /// beyond the end of an edge where other edges start, too. See [`Options::modified`].
+    ///
+    /// # Complexity
+    /// O(n).
+    #[must_use]
+    pub fn is_modified(&self) -> bool {
+        let mut degree = vec![0_u8; self.input.vertices];
+        for v in self.input.edges.iter().flatten() {
+            degree[v.index()] = (degree[v.index()] + 1).min(2);
+        }
+        self.faces.iter().any(|face| {
+            let [from, to] = self.input.edges[face.edge.index()];
+            match face.side {
+                Side::Left | Side::Right => false,
+                Side::Start => degree[from.index()] > 1,
+                Side::End => degree[to.index()] > 1,
+            }
+        })
     }
 
     /// What the computation did.

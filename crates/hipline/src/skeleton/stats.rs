@@ -9,6 +9,8 @@ pub struct Stats {
     pub split_events: u64,
     /// Flips of spokes.
     pub flips: u64,
+    /// Elementary steps of an engine without a queue: arcs drawn and arcs looked at.
+    pub steps: u64,
     /// Decisions answered by f64 with a proven error bound.
     pub by_f64: u64,
     /// Decisions answered by double-double with a proven error bound.
@@ -17,4 +19,18 @@ pub struct Stats {
     pub by_wide: u64,
     /// Decisions answered by exact integers.
     pub by_exact: u64,
+}
+
+impl Stats {
+    /// Adds the counts of another computation.
+    pub(super) const fn add(&mut self, other: &Self) {
+        self.edge_events += other.edge_events;
+        self.split_events += other.split_events;
+        self.flips += other.flips;
+        self.steps += other.steps;
+        self.by_f64 += other.by_f64;
+        self.by_double_double += other.by_double_double;
+        self.by_wide += other.by_wide;
+        self.by_exact += other.by_exact;
+    }
 }

@@ -1,4 +1,8 @@
-//! Typed ids and nothing else: this module never reads a coordinate.
+//! Typed ids, and sets of numbers: this module never reads a coordinate.
+
+mod sets;
+
+pub(crate) use sets::Sets;
 
 macro_rules! id {
     ($(#[$doc:meta])* $vis:vis $name:ident, $letter:literal) => {

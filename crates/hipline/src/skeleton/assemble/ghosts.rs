@@ -295,6 +295,11 @@ impl Assembly<'_> {
                 let (x, up) = match walk {
                     Walk::Up(x) => (x, true),
                     Walk::Down(x) => (x, false),
+                    Walk::Base(_) if self.is_far(after) => {
+                        // Along the ray at the end of a chain.
+                        jumps.push((walk, after));
+                        continue;
+                    }
                     _ => continue,
                 };
                 let trace = self.front.trace(x);
@@ -304,9 +309,7 @@ impl Assembly<'_> {
                     End::Ghost => continue,
                 };
                 if up && end.is_none() {
-                    let Walk::Down(_) = after else {
-                        unreachable!("a jump at infinity")
-                    };
+                    debug_assert!(self.is_far(after), "a jump at infinity");
                     jumps.push((walk, after));
                 }
                 let ends = if up {
@@ -429,7 +432,7 @@ impl Assembly<'_> {
         let start = self.places[born as usize].as_ref().expect("a finite node");
         let far = |walk: Walk, sign: Ordering| {
             let (Walk::Up(x) | Walk::Down(x)) = walk else {
-                unreachable!("a trace")
+                return true; // a ray along the edge
             };
             let trace = self.front.trace(x);
             // Ghost arcs are handled in order, so one that is there lies beyond this one.
@@ -449,7 +452,7 @@ impl Assembly<'_> {
         let mut inside: Vec<(TraceId, usize, Place)> = Vec::new();
         for (i, (ghost, hit, walk)) in found.iter().enumerate() {
             let (Walk::Up(x) | Walk::Down(x)) = *walk else {
-                unreachable!("a trace")
+                continue; // to infinity beside a ray
             };
             match hit {
                 Hit::Inside(place) => inside.push((x, i, *place)),
@@ -568,14 +571,17 @@ impl Assembly<'_> {
         let mut placed = BTreeSet::new();
         while !infinite.is_empty() {
             infinite.retain(|landing| {
-                let (Walk::Up(x) | Walk::Down(x)) = landing.on else {
-                    unreachable!("a trace")
+                let arriving = match landing.on {
+                    Walk::Base(face) => self.base_from + face as usize,
+                    Walk::Up(x) | Walk::Down(x) => {
+                        if self.front.trace(x).end == End::Ghost && !placed.contains(&x) {
+                            return true;
+                        }
+                        2 * (self.of_trace[x.index()][1] as usize - 1)
+                    }
+                    Walk::Open => unreachable!("a walk"),
                 };
-                if self.front.trace(x).end == End::Ghost && !placed.contains(&x) {
-                    return true;
-                }
-                let last = self.of_trace[x.index()][1] as usize - 1;
-                self.insert(landing.ghost, 2 * last);
+                self.insert(landing.ghost, arriving);
                 placed.insert(landing.ghost);
                 false
             });

@@ -356,7 +356,7 @@ impl Assembly<'_> {
             input: InputGraph {
                 vertices: self.figure.vertices().len(),
                 edges: edges.iter().map(|edge| [edge.from, edge.to]).collect(),
-                terminals: terminals.len(),
+                terminals: self.figure.terminals(),
             },
             region,
             stats,

@@ -1,4 +1,4 @@
-//! Ghost arcs that meet walls without thickness: edges that stand still.
+//! Ghost arcs that meet walls without thickness, edges that stand still; and rays.
 
 use super::Assembly;
 use crate::{
@@ -8,6 +8,16 @@ use crate::{
 };
 
 impl Assembly<'_> {
+    /// Whether a walk that comes after the last one of a base, or of a vertex that moves for ever, comes from infinity.
+    pub(super) fn is_far(&self, walk: Walk) -> bool {
+        match walk {
+            Walk::Up(_) | Walk::Open => false,
+            Walk::Down(x) => self.front.trace(x).end == End::Moving,
+            // The ray at the start of a chain.
+            Walk::Base(_) => true,
+        }
+    }
+
     /// The nodes at the lower ends of walls without thickness that stand in the way of ghost arcs,
     /// perpendicular to the edge, each with the walk that comes down to it.
     pub(super) fn spikes(&self, cycles: &[Vec<Walk>], plane: PlaneId) -> Vec<(u32, Walk)> {

@@ -68,6 +68,7 @@ struct Checker<'a> {
     skeleton: &'a Skeleton,
     figure: &'a Figure,
     planes: Planes,
+    /// The terminals, then the caps of a modified skeleton.
     terminals: Vec<Terminal>,
     /// The plane of each face.
     plane_of: Vec<PlaneId>,
@@ -84,7 +85,8 @@ impl Skeleton {
     /// Checks the laws that the straight skeleton of a figure obeys, without the engine that
     /// made it. Exact, without tolerances:
     ///
-    /// * there is one face for each side of an edge (and each terminal) in the region, and
+    /// * there is one face for each side of an edge (and each terminal, and each cap of a modified skeleton) in
+    ///   the region, and
     ///   its boundary consists of arcs that know it on the proper side;
     /// * every node lies on the planes of all faces around it; its coordinates and time,
     ///   and the directions of unbounded arcs, are the correctly rounded ones, bit for bit;
@@ -122,7 +124,9 @@ impl Skeleton {
 
     /// Asks all questions, and keeps what was found on the way.
     fn examine<'a>(&'a self, figure: &'a Figure) -> Checker<'a> {
-        let terminals = Terminal::all(figure);
+        // Which of the two it is shows in the faces; what follows from that is checked.
+        let caps = self.shows_caps_of(figure);
+        let terminals = Terminal::with_caps(figure, caps);
         let planes = Planes::new(figure, &terminals);
         let mut checker = Checker {
             skeleton: self,
@@ -163,6 +167,18 @@ impl Skeleton {
     }
 }
 
+impl Skeleton {
+    /// Whether it is a modified skeleton of this figure, or claims to be.
+    fn shows_caps_of(&self, figure: &Figure) -> bool {
+        let known = |face: &Face| face.edge.index() < self.input.edges.len();
+        let ends = self.input.edges.iter().flatten();
+        self.input.edges.len() == figure.edges().len()
+            && self.faces.iter().all(known)
+            && ends.into_iter().all(|v| v.index() < self.input.vertices)
+            && self.is_modified()
+    }
+}
+
 impl Node {
     const fn is_at_infinity(&self) -> bool {
         matches!(self.kind, NodeKind::Infinite { .. })
@@ -172,7 +188,7 @@ impl Node {
 impl Checker<'_> {
     /// The number of the terminal at a vertex, if it is one.
     fn terminal_at(&self, vertex: VertexId) -> Option<usize> {
-        self.terminals
+        self.terminals[..self.figure.terminals()]
             .binary_search_by_key(&vertex.index(), |terminal| terminal.tip)
             .ok()
     }
@@ -187,8 +203,9 @@ impl Checker<'_> {
     fn first_plane(&self, face: &Face) -> PlaneId {
         let edge = &self.figure.edges()[face.edge.index()];
         let cap = |vertex: VertexId| {
-            let terminal = self.terminal_at(vertex).expect("the face of a terminal");
-            self.terminal_plane(terminal)
+            let plain = self.figure.terminals();
+            let at = Terminal::find(&self.terminals, plain, vertex.index(), face.edge.index());
+            self.terminal_plane(at.expect("the face of a terminal or a cap"))
         };
         match face.side {
             Side::Left => PlaneId(2 * face.edge.index() as u32),
@@ -196,6 +213,18 @@ impl Checker<'_> {
             Side::Start => cap(edge.from),
             Side::End => cap(edge.to),
         }
+    }
+
+    /// The edges of each pair of caps of a modified skeleton, each with whether the cap is at its end: first the one
+    /// that the wide sector is on the left of, seen from the vertex.
+    fn caps(&self) -> impl Iterator<Item = [(usize, bool); 2]> + '_ {
+        let (caps, _) = self.terminals[self.figure.terminals()..].as_chunks::<2>();
+        caps.iter().map(|pair| {
+            pair.each_ref().map(|cap| {
+                let edge = &self.figure.edges()[cap.edge];
+                (cap.edge, edge.to.index() == cap.tip)
+            })
+        })
     }
 
     /// The plane of the first phase of a terminal.

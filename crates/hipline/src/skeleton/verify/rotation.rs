@@ -3,7 +3,7 @@
 use super::{Checker, Violation, dart};
 use crate::{
     predicates::Heading,
-    skeleton::{NodeKind, Region},
+    skeleton::{Face, NodeKind, Region, Side},
     topology::{NodeId, VertexId},
 };
 use std::cmp::Ordering;
@@ -220,7 +220,7 @@ impl Checker<'_> {
     }
 
     /// Lemma 2 of the paper for the whole plane; for the interior of polygons whose rings
-    /// do not touch, n + 2 h - 2 for each part with h holes.
+    /// do not touch, n + 2 h - 2 for each part with h holes. Each cap adds one, as a terminal does.
     fn check_counts(&mut self, parts: usize, edges_at: &[Vec<u32>]) {
         if !self.unweighted {
             return;
@@ -238,8 +238,10 @@ impl Checker<'_> {
             })
             .sum();
         let n = s.input.vertices as i64;
+        let ends = |face: &&Face| matches!(face.side, Side::Start | Side::End);
+        let tips = s.faces.iter().filter(ends).count() as i64;
         let expected = match s.region {
-            Region::Both => 2 * n + s.input.terminals as i64 - 2,
+            Region::Both => 2 * n + tips - 2,
             Region::Interior if edges_at.iter().all(|list| list.len() == 2) => {
                 let mut rings = Sets::new(s.input.vertices);
                 for ends in &s.input.edges {
@@ -248,7 +250,7 @@ impl Checker<'_> {
                 let rings = (0..s.input.vertices)
                     .filter(|&i| rings.root(i) == i)
                     .count();
-                n + 2 * rings as i64 - 4 * parts as i64
+                n + tips + 2 * rings as i64 - 4 * parts as i64
             }
             _ => return,
         };

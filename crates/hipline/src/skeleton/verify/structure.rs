@@ -147,9 +147,25 @@ impl Checker<'_> {
         self.incidence.covered = covered;
     }
 
-    /// One face for each side of each edge and each terminal in the region, in order.
+    /// For each end of each edge, whether a modified skeleton has a cap there that is in the region.
+    fn shown_caps(&self) -> Vec<bool> {
+        let mut shown = vec![false; 2 * self.figure.edges().len()];
+        for pair in self.caps() {
+            // The sector is on the left of the first edge, seen from the vertex.
+            let (edge, at_end) = pair[0];
+            if self.incidence.covered[2 * edge + usize::from(at_end)] {
+                for (edge, at_end) in pair {
+                    shown[2 * edge + usize::from(at_end)] = true;
+                }
+            }
+        }
+        shown
+    }
+
+    /// One face for each side of each edge and each terminal or cap in the region, in order.
     fn check_faces(&mut self) {
         self.find_covered();
+        let caps = self.shown_caps();
         let mut expected = Vec::with_capacity(self.skeleton.faces.len());
         for (e, edge) in self.figure.edges().iter().enumerate() {
             let id = EdgeId::new(e);
@@ -167,8 +183,8 @@ impl Checker<'_> {
                 self.terminal_at(vertex)
                     .is_some_and(|i| !self.planes.stands_still(self.terminal_plane(i)))
             };
-            add(left && emits(edge.from), Side::Start);
-            add(left && emits(edge.to), Side::End);
+            add(left && emits(edge.from) || caps[2 * e], Side::Start);
+            add(left && emits(edge.to) || caps[2 * e + 1], Side::End);
         }
         let (mut i, mut j) = (0, 0);
         let faces = &self.skeleton.faces;

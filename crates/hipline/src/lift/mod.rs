@@ -7,7 +7,7 @@ use crate::{
     input::Figure,
     predicates::{Bound, Place, PlaneId, Planes, Start, Terminal},
     skeleton::{ArcKind, Face, NodeKind, Side, Skeleton},
-    topology::{ArcId, FaceId, NodeId},
+    topology::{ArcId, EdgeId, FaceId, NodeId},
 };
 use hipline_num::Sign;
 use std::cell::OnceCell;
@@ -16,8 +16,10 @@ use std::cell::OnceCell;
 pub(crate) struct Lift<'a> {
     pub skeleton: &'a Skeleton,
     pub planes: Planes,
-    /// The tips of the terminals, ascending.
-    tips: Vec<usize>,
+    /// The terminals, then the caps of a modified skeleton.
+    terminals: Vec<Terminal>,
+    /// How many of them are terminals.
+    plain: usize,
     edges: usize,
     /// The arcs at each node: those of node i from `.0[i]` to `.0[i + 1]`.
     arcs: OnceCell<(Vec<u32>, Vec<ArcId>)>,
@@ -33,11 +35,12 @@ impl<'a> Lift<'a> {
                 .zip(&skeleton.input().edges)
                 .all(|(e, f)| [e.from, e.to] == *f);
         assert!(same, "the skeleton is not that of this figure");
-        let terminals = Terminal::all(figure);
+        let terminals = Terminal::with_caps(figure, skeleton.is_modified());
         Self {
             skeleton,
             planes: Planes::new(figure, &terminals),
-            tips: terminals.iter().map(|terminal| terminal.tip).collect(),
+            terminals,
+            plain: figure.terminals(),
             edges: figure.edges().len(),
             arcs: OnceCell::new(),
         }
@@ -51,15 +54,17 @@ impl<'a> Lift<'a> {
         plane.expect("the skeleton is of this figure, and its edges have as many phases")
     }
 
+    /// The number of the terminal or cap at an end of an edge.
+    fn tip(&self, vertex: usize, edge: EdgeId) -> Option<usize> {
+        Terminal::find(&self.terminals, self.plain, vertex, edge.index())
+    }
+
     /// The plane of the first phase of a face's edge.
     fn first_plane(&self, face: &Face) -> PlaneId {
         let [from, to] = self.skeleton.input().edges[face.edge.index()];
         let terminal = |tip: usize| {
-            let i = self
-                .tips
-                .binary_search(&tip)
-                .expect("the face of a terminal");
-            2 * (self.edges + i) as u32
+            let i = self.tip(tip, face.edge);
+            2 * (self.edges + i.expect("the face of a terminal or a cap")) as u32
         };
         PlaneId(match face.side {
             Side::Left => 2 * face.edge.index() as u32,
@@ -80,6 +85,28 @@ impl<'a> Lift<'a> {
             [j, i]
         } else {
             [i, j]
+        }
+    }
+
+    /// Whether an arc goes straight up, above one point: both planes beside it stand still.
+    pub(crate) fn is_upright(&self, arc: ArcId) -> bool {
+        let arc = self.skeleton.arc(arc);
+        self.planes.has_upright()
+            && arc
+                .faces
+                .iter()
+                .all(|&face| self.planes.stands_still(self.plane(face)))
+    }
+
+    /// Where an arc is at a time between those of its ends. (Only the place in plan, if it goes straight up.)
+    pub(crate) fn at(&self, arc: ArcId, time: f64) -> Place {
+        if self.skeleton.arc(arc).kind == ArcKind::Ghost {
+            self.on_ghost(arc, Bound::Time(time))
+        } else if self.is_upright(arc) {
+            self.place(self.skeleton.arc(arc).nodes[0])
+        } else {
+            let pair = self.pair(arc);
+            Place::At { pair, time }
         }
     }
 
@@ -164,7 +191,7 @@ impl<'a> Lift<'a> {
                 );
             }
             if planes[0].0 ^ planes[1].0 == 1
-                && let Ok(i) = self.tips.binary_search(&vertex.index())
+                && let Some(i) = self.tip(vertex.index(), self.skeleton.face(arc.faces[0]).edge)
             {
                 let cap = PlaneId(2 * (self.edges + i) as u32);
                 list.extend(self.planes.stands_still(cap).then_some(cap));
@@ -183,7 +210,7 @@ impl<'a> Lift<'a> {
 
     /// When two parallel planes meet: told by any third one that is not parallel, too.
     pub(crate) fn level_moment(&self, first: PlaneId, other: PlaneId) -> [PlaneId; 3] {
-        let lines = (self.edges + self.tips.len()) as u32;
+        let lines = (self.edges + self.terminals.len()) as u32;
         let third = (0..lines)
             .map(|line| PlaneId(2 * line))
             .find(|&p| !self.planes.turn(first, p).is_zero());

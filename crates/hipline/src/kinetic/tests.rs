@@ -1,0 +1,110 @@
+//! Parts against the whole.
+
+use super::{of_parts, of_whole};
+use crate::{
+    Figure, FigureBuilder, Region, Skeleton,
+    input::{Change, Place, Sides},
+    skeleton::NodeKind,
+};
+
+/// The sequence of a linear congruential generator; only has to be the same everywhere.
+struct Random(u64);
+
+impl Random {
+    fn below(&mut self, n: u64) -> u64 {
+        self.0 = self
+            .0
+            .wrapping_mul(6_364_136_223_846_793_005)
+            .wrapping_add(1_442_695_040_888_963_407);
+        (self.0 >> 33) % n
+    }
+
+    fn point(&mut self) -> [f64; 2] {
+        [0, 1].map(|_| self.below(7) as f64)
+    }
+}
+
+/// Polygons, lines and segments that touch each other, some with weights.
+fn figure(seed: u64) -> Option<Figure> {
+    let mut random = Random(seed);
+    let mut builder = FigureBuilder::new();
+    for part in 0..1 + random.below(4) {
+        if random.below(2) == 0 {
+            let n = 3 + random.below(3);
+            let ring = (0..n).map(|_| random.point()).collect();
+            builder.polygon(vec![ring]);
+        } else {
+            let n = 2 + random.below(3);
+            builder.polyline((0..n).map(|_| random.point()).collect());
+        }
+        if random.below(4) == 0 {
+            builder.change(Change {
+                edge: Place {
+                    part: part as usize,
+                    ring: 0,
+                    index: random.below(2) as usize,
+                },
+                sides: Sides::Both,
+                time: 0.5,
+                speed: random.below(3) as f64,
+            });
+        }
+    }
+    builder.build().ok()
+}
+
+/// All arcs, by places and faces, whatever their order.
+fn arcs(skeleton: &Skeleton) -> Vec<String> {
+    let end = |id| {
+        let node = skeleton.node(id);
+        let kind = match node.kind {
+            NodeKind::Input(v) => format!("{v}"),
+            kind => format!("{kind:?}"),
+        };
+        format!("{} {} {} {kind}", node.x, node.y, node.time)
+    };
+    let face = |id| {
+        let face = skeleton.face(id);
+        format!("{} {:?} {}", face.edge, face.side, face.phase)
+    };
+    let mut list: Vec<String> = (skeleton.arcs().iter())
+        .map(|arc| {
+            // The order of the ends of a level arc is arbitrary.
+            let mut halves = [
+                format!("{} {}", end(arc.nodes[0]), face(arc.faces[0])),
+                format!("{} {}", end(arc.nodes[1]), face(arc.faces[1])),
+            ];
+            halves.sort();
+            format!("{halves:?} {:?}", arc.kind)
+        })
+        .collect();
+    list.sort();
+    list
+}
+
+#[test]
+fn parts_make_the_whole() {
+    let mut seen = 0;
+    for seed in 0..20_000 {
+        let Some(figure) = figure(seed) else { continue };
+        for region in [Region::Interior, Region::Exterior, Region::Both] {
+            for least in [1, 6] {
+                let Some(parts) = figure.parts_from(region, 1, least) else {
+                    continue;
+                };
+                seen += 1;
+                let whole = of_whole(&figure, region, false);
+                let merged = of_parts(&figure, region, &parts);
+                assert_eq!(arcs(&merged), arcs(&whole), "seed {seed}, {region:?}");
+                let faces = |s: &Skeleton| -> Vec<_> {
+                    let of = |f: &crate::skeleton::Face| (f.edge, f.side, f.phase);
+                    s.faces().iter().map(of).collect()
+                };
+                assert_eq!(faces(&merged), faces(&whole), "seed {seed}, {region:?}");
+                assert_eq!(merged.nodes().len(), whole.nodes().len(), "seed {seed}");
+                assert_eq!(merged.verify(&figure), whole.verify(&figure), "seed {seed}");
+            }
+        }
+    }
+    assert!(seen > 1_000, "{seen}");
+}

@@ -1,0 +1,298 @@
+//! Exact coordinates: multiples of one power of two, twice as many as the input needs.
+//!
+//! All that a skeleton of this kind consists of are sums of at most four coordinates of the input, halved.
+//! So, counted in halves of the finest unit of the input, everything is an integer a few binary digits longer than
+//! the input's: an `i64` for most figures, an `i128` for most others, and [`Wide`] for any.
+
+use std::{
+    cmp::Ordering,
+    fmt::Debug,
+    ops::{Add, Neg, Sub},
+};
+
+/// An integer type that holds all coordinates of a figure.
+pub(super) trait Number:
+    Copy + Ord + Debug + Add<Output = Self> + Sub<Output = Self> + Neg<Output = Self>
+{
+    /// Binary digits that coordinates of the input may have, in the finest unit: sums of four,
+    /// doubled, fit.
+    const DIGITS: i32;
+    const ZERO: Self;
+    /// An integer that is not larger than announced.
+    fn of(x: f64) -> Self;
+    /// Half of an even number.
+    fn half(self) -> Self;
+    /// The nearest f64; of two, the even one.
+    fn round(self) -> f64;
+}
+
+impl Number for i64 {
+    const DIGITS: i32 = 58;
+    const ZERO: Self = 0;
+    #[inline]
+    fn of(x: f64) -> Self {
+        x as Self
+    }
+    fn half(self) -> Self {
+        self >> 1
+    }
+    fn round(self) -> f64 {
+        self as f64
+    }
+}
+
+impl Number for i128 {
+    const DIGITS: i32 = 122;
+    const ZERO: Self = 0;
+    #[inline]
+    fn of(x: f64) -> Self {
+        x as Self
+    }
+    fn half(self) -> Self {
+        self >> 1
+    }
+    fn round(self) -> f64 {
+        self as f64
+    }
+}
+
+/// Machine words in [`Wide`]: 512 binary digits, where the range of a figure's coordinates needs less than 400.
+const WORDS: usize = 8;
+
+/// An integer in two's complement, least word first.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) struct Wide([u64; WORDS]);
+
+impl Wide {
+    const fn is_negative(self) -> bool {
+        self.0[WORDS - 1] >> 63 == 1
+    }
+}
+
+impl Ord for Wide {
+    fn cmp(&self, other: &Self) -> Ordering {
+        other
+            .is_negative()
+            .cmp(&self.is_negative())
+            .then_with(|| self.0.iter().rev().cmp(other.0.iter().rev()))
+    }
+}
+
+impl PartialOrd for Wide {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl Add for Wide {
+    type Output = Self;
+    fn add(self, other: Self) -> Self {
+        let mut sum = [0; WORDS];
+        let mut carry = 0;
+        for (k, word) in sum.iter_mut().enumerate() {
+            let total = u128::from(self.0[k]) + u128::from(other.0[k]) + carry;
+            *word = total as u64;
+            carry = total >> 64;
+        }
+        Self(sum)
+    }
+}
+
+impl Neg for Wide {
+    type Output = Self;
+    fn neg(self) -> Self {
+        let mut one = [0; WORDS];
+        one[0] = 1;
+        Self(self.0.map(|word| !word)) + Self(one)
+    }
+}
+
+impl Sub for Wide {
+    type Output = Self;
+    #[expect(clippy::suspicious_arithmetic_impl, reason = "two's complement")]
+    fn sub(self, other: Self) -> Self {
+        self + -other
+    }
+}
+
+impl Number for Wide {
+    const DIGITS: i32 = 505;
+    const ZERO: Self = Self([0; WORDS]);
+    fn of(x: f64) -> Self {
+        let exponent = (x.to_bits() >> 52 & 0x7ff) as usize;
+        if exponent < 1023 {
+            return Self::ZERO;
+        }
+        let mantissa = x.to_bits() & ((1 << 52) - 1) | 1 << 52;
+        let mut words = [0; WORDS];
+        // x is mantissa * 2^(exponent - 1075), an integer.
+        if exponent < 1075 {
+            words[0] = mantissa >> (1075 - exponent);
+        } else {
+            let shift = exponent - 1075;
+            let shifted = u128::from(mantissa) << (shift % 64);
+            words[shift / 64] = shifted as u64;
+            if shift / 64 + 1 < WORDS {
+                words[shift / 64 + 1] = (shifted >> 64) as u64;
+            }
+        }
+        if x < 0.0 { -Self(words) } else { Self(words) }
+    }
+    fn half(self) -> Self {
+        let mut words = self.0;
+        for k in 0..WORDS {
+            let above = if k + 1 < WORDS {
+                self.0[k + 1] << 63
+            } else {
+                self.0[k] & 1 << 63
+            };
+            words[k] = self.0[k] >> 1 | above;
+        }
+        Self(words)
+    }
+    fn round(self) -> f64 {
+        let size = if self.is_negative() { -self } else { self };
+        let Some(top) = size.0.iter().rposition(|&word| word != 0) else {
+            return 0.0;
+        };
+        // Two words, and whether anything is below them, in the last binary digit: as those two words
+        // have at least 65 digits, that is below the half that rounding looks at.
+        let low = top.saturating_sub(1);
+        let mut head = u128::from(size.0[low]);
+        if top > low {
+            head |= u128::from(size.0[top]) << 64;
+        }
+        if size.0[..low].iter().any(|&word| word != 0) {
+            head |= 1;
+        }
+        let mut rounded = head as f64;
+        for _ in 0..low {
+            rounded *= 18_446_744_073_709_551_616.0;
+        }
+        if self.is_negative() {
+            -rounded
+        } else {
+            rounded
+        }
+    }
+}
+
+/// The unit in which a figure is computed: how its coordinates become integers and back.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Unit {
+    /// Two factors each, because one might not be an f64.
+    up: [f64; 2],
+    down: [f64; 2],
+    /// Binary digits of the largest coordinate, in the finest unit.
+    pub digits: i32,
+}
+
+impl Unit {
+    /// The finest unit that a list of points needs.
+    pub(super) fn of(points: &[[f64; 2]]) -> Self {
+        let (mut finest, mut largest) = (i32::MAX, i32::MIN);
+        for x in points.iter().flatten() {
+            let bits = x.to_bits() << 1;
+            if bits == 0 {
+                continue;
+            }
+            let exponent = (bits >> 53) as i32;
+            let fraction = bits << 11 >> 12;
+            let (mantissa, unit) = if exponent == 0 {
+                (fraction, -1074)
+            } else {
+                (fraction | 1 << 52, exponent - 1075)
+            };
+            finest = finest.min(unit + mantissa.trailing_zeros() as i32);
+            largest = largest.max(unit + 64 - mantissa.leading_zeros() as i32);
+        }
+        if finest > largest {
+            (finest, largest) = (0, 0);
+        }
+        let power = |exponent: i32| f64::from_bits(((exponent + 1023) as u64) << 52);
+        let halves = |exponent: i32| [power(exponent / 2), power(exponent - exponent / 2)];
+        Self {
+            up: halves(1 - finest),
+            down: halves(finest - 1),
+            digits: largest - finest,
+        }
+    }
+
+    /// A coordinate in halves of the unit. Exact.
+    #[inline]
+    pub(super) fn count<N: Number>(&self, x: f64) -> N {
+        N::of(x * self.up[0] * self.up[1])
+    }
+
+    /// The f64 nearest to a number of halves of the unit.
+    ///
+    /// It is rounded once: either the number has more digits than an f64 and the product is no smaller than the
+    /// input, or it has not, so that only the last product may round.
+    #[inline]
+    pub(super) fn value<N: Number>(&self, x: N) -> f64 {
+        x.round() * self.down[0] * self.down[1]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn numbers() -> Vec<i128> {
+        let mut list = vec![0, 1, -1, 3, 5, 7];
+        for shift in [30, 52, 53, 54, 62, 63, 64, 65, 90, 110, 118] {
+            for low in [-3, -1, 0, 1, 2, 3, 1 << 10, (1 << 20) + 1] {
+                list.push((1_i128 << shift) + low);
+                list.push(-(1_i128 << shift) * 3 + low);
+            }
+        }
+        list
+    }
+
+    /// The wide integer of a narrow one, by way of f64s.
+    fn wide(mut x: i128) -> Wide {
+        let mut sum = Wide::ZERO;
+        while x != 0 {
+            sum = sum + Wide::of(x as f64);
+            x -= x as f64 as i128;
+        }
+        sum
+    }
+
+    #[test]
+    fn wide_integers_are_like_narrow_ones() {
+        for a in numbers() {
+            assert_eq!(wide(a).round().to_bits(), Number::round(a).to_bits(), "{a}");
+            assert_eq!((wide(a) + wide(a)).half(), wide(a), "{a}");
+            for b in numbers() {
+                assert_eq!(wide(a) + wide(b), wide(a + b), "{a} + {b}");
+                assert_eq!(wide(a) - wide(b), wide(a - b), "{a} - {b}");
+                assert_eq!(wide(a).cmp(&wide(b)), a.cmp(&b), "{a} and {b}");
+            }
+        }
+    }
+
+    #[test]
+    fn coordinates_come_back() {
+        let lists: [&[f64]; 5] = [
+            &[0.0],
+            &[1.0, -3.0, 1024.0],
+            &[0.1, 0.3, 1000.7],
+            &[5e-324, 3e-310, 1e-290],
+            &[1e300, -7e290],
+        ];
+        for list in lists {
+            let points: Vec<[f64; 2]> = list.iter().map(|&x| [x, -x]).collect();
+            let unit = Unit::of(&points);
+            for &x in list {
+                assert!(unit.digits <= Wide::DIGITS, "{list:?}");
+                let count: Wide = unit.count(x);
+                assert_eq!(unit.value(count).to_bits(), x.to_bits(), "{x}");
+                if unit.digits <= i64::DIGITS {
+                    let count: i64 = unit.count(x);
+                    assert_eq!(unit.value(count).to_bits(), x.to_bits(), "{x}");
+                }
+            }
+        }
+    }
+}
