@@ -100,6 +100,22 @@ fn agrees_on_polygons_from_the_field() {
     }
 }
 
+/// Of four times as many edges: 5.4 times as many steps, where n log n has 5.3 and all pairs have 16.
+#[test]
+fn steps_grow_little_faster_than_the_input() {
+    let steps = |n: usize| {
+        let figure = Family::Random.generate(n, 1).figure().expect("a figure");
+        let skeleton = figure.skeleton_by(Engine::Envelope, inside());
+        let skeleton = skeleton.expect("it applies");
+        (figure.edges().len() as f64, skeleton.stats().steps as f64)
+    };
+    let [(few, less), (many, more)] = [64, 256].map(steps);
+    assert!(
+        less > 0.0 && more / less < 2.0 * many / few,
+        "{less} {more}"
+    );
+}
+
 #[test]
 fn what_it_does_not_apply_to_is_refused() {
     let mut refused = [0; 3];

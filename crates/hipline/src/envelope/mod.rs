@@ -83,7 +83,9 @@ fn build(figure: &Figure, planes: Planes, tracks: Tracks) -> Skeleton {
     let outlines = envelope.outlines();
     let front = envelope.glue(outlines);
     let rungs = envelope.planes.rungs.get();
+    let count = envelope.count;
     let stats = Stats {
+        steps: count.cuts + count.sections + count.merging.steps,
         by_f64: rungs.by_f64,
         by_double_double: rungs.by_double_double,
         by_wide: rungs.by_wide,
@@ -162,7 +164,12 @@ impl<'a> Envelope<'a> {
     fn end_of(&self, face: u32, side: usize) -> usize {
         let edge = &self.figure.edges()[face as usize / 2];
         let ends = [edge.from, edge.to];
-        ends[if face % 2 == 0 { side } else { 1 - side }].index()
+        ends[if face.is_multiple_of(2) {
+            side
+        } else {
+            1 - side
+        }]
+        .index()
     }
 
     /// Finds the sides of edges on the inside, and which come one after another: those of one sector.
