@@ -293,10 +293,7 @@ impl<N: Number> Merge<'_, '_, N> {
         }
         let falling = x + y;
         let mut link = self.at[index];
-        loop {
-            let Some((a, b)) = end(self, link).filter(|(a, b)| *a + *b < falling) else {
-                break;
-            };
+        while let Some((a, b)) = end(self, link).filter(|(a, b)| *a + *b < falling) {
             match limit.map(|limit| a.cmp(&limit)) {
                 Some(Ordering::Greater) => return None,
                 // What comes next may be straight up.

@@ -109,7 +109,6 @@ impl Neg for Wide {
 
 impl Sub for Wide {
     type Output = Self;
-    #[expect(clippy::suspicious_arithmetic_impl, reason = "two's complement")]
     fn sub(self, other: Self) -> Self {
         self + -other
     }
@@ -140,13 +139,12 @@ impl Number for Wide {
     }
     fn half(self) -> Self {
         let mut words = self.0;
-        for k in 0..WORDS {
-            let above = if k + 1 < WORDS {
-                self.0[k + 1] << 63
-            } else {
-                self.0[k] & 1 << 63
-            };
-            words[k] = self.0[k] >> 1 | above;
+        // The sign stays.
+        let mut above = self.0[WORDS - 1] & 1 << 63;
+        for word in words.iter_mut().rev() {
+            let half = *word >> 1 | above;
+            above = *word << 63;
+            *word = half;
         }
         Self(words)
     }

@@ -169,10 +169,11 @@ impl<N: Number> Collector<'_, N> {
 
     /// The arcs that are left of both skeletons, then the merge chain, then ghost arcs of walls.
     fn collect_arcs(&mut self) {
+        let walls = std::mem::take(&mut self.walls);
         for wave in 0..self.graph.ring.count() {
             let mut link = self.graph.right_first[wave as usize];
             while link != NONE {
-                self.collect_link(link);
+                self.collect_link(link, &walls);
                 if link == self.graph.right_last[wave as usize] {
                     break;
                 }
@@ -180,10 +181,9 @@ impl<N: Number> Collector<'_, N> {
             }
         }
         for seam in 0..self.graph.seams.len() as u32 {
-            self.collect_seam(seam);
+            self.collect_seam(seam, &walls);
         }
-        for k in 0..self.walls.ghosts.len() {
-            let ghost = self.walls.ghosts[k];
+        for ghost in &walls.ghosts {
             // Going east in the lower chain, what is above is on the left.
             let turned = (self.graph.ring.side(ghost.below) == Side::Upper)
                 != (self.graph.kind(ghost.below) == Kind::West);
@@ -194,6 +194,7 @@ impl<N: Number> Collector<'_, N> {
             };
             self.push([ghost.vertex, ghost.end], faces, ArcKind::Ghost);
         }
+        self.walls = walls;
     }
 
     /// Adds an arc, unless it has no length.
@@ -205,7 +206,7 @@ impl<N: Number> Collector<'_, N> {
         }
     }
 
-    fn collect_link(&mut self, at: u32) {
+    fn collect_link(&mut self, at: u32, walls: &Walls) {
         let link = *self.graph.link(at);
         let kind = match (self.graph.kind(link.west), self.graph.kind(link.east)) {
             (Kind::Level, Kind::Level) => ArcKind::Ghost,
@@ -214,8 +215,8 @@ impl<N: Number> Collector<'_, N> {
         };
         let upper = self.graph.ring.side(link.west) == Side::Upper;
         let turned = |[west, east]: [u32; 2]| if upper { [east, west] } else { [west, east] };
-        if let Some(pieces) = self.walls.pieces(Step::Link(at)) {
-            for Piece { ends, faces } in pieces.to_vec() {
+        if let Some(pieces) = walls.pieces(Step::Link(at)) {
+            for &Piece { ends, faces } in pieces {
                 self.push(ends, turned(faces), kind);
             }
         } else {
@@ -226,7 +227,7 @@ impl<N: Number> Collector<'_, N> {
         named.to = self.names.of(link.to);
     }
 
-    fn collect_seam(&mut self, at: u32) {
+    fn collect_seam(&mut self, at: u32, walls: &Walls) {
         let seam = self.graph.seams[at as usize];
         let kind = match (self.graph.kind(seam.lower), self.graph.kind(seam.upper)) {
             (Kind::East, Kind::East) | (Kind::West, Kind::West) => ArcKind::Ghost,
@@ -241,8 +242,8 @@ impl<N: Number> Collector<'_, N> {
                 this.push([to, from], [lower, upper], kind);
             }
         };
-        if let Some(pieces) = self.walls.pieces(Step::Seam(at)) {
-            for Piece { ends, faces } in pieces.to_vec() {
+        if let Some(pieces) = walls.pieces(Step::Seam(at)) {
+            for &Piece { ends, faces } in pieces {
                 push(self, ends, faces);
             }
         } else {

@@ -142,7 +142,7 @@ fn refusals_tell_why() {
 #[test]
 fn coordinates_of_all_ranges_are_computed_in_the_integers_they_need() {
     // Integers, thirds, and a range that needs hundreds of binary digits.
-    for scales in [[1.0, 1.0], [1.0 / 3.0, 1e-9], [1e60, 1e-30]] {
+    for scales in [[1.0, 1.0], [1.0 / 3.0, 2e-9], [1e60, 2e-30]] {
         let ring = STEP.map(|[x, y]| [x * scales[0], y * scales[1]]);
         let step = figure(|builder| {
             builder.polygon(vec![ring.to_vec()]);

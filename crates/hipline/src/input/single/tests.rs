@@ -75,7 +75,7 @@ fn disturbed(mut ring: Vec<[i64; 2]>, random: &mut Random) -> Vec<[f64; 2]> {
     if random.below(4) == 0 {
         ring.push(ring[0]);
     }
-    let scales = [1.0, -0.1, 1e-60, 3e70];
+    let scales = [1.0, -0.1, 2e-60, 3e70];
     let scale = scales[random.below(scales.len() as u64) as usize];
     let point = |[x, y]: [i64; 2]| {
         [
