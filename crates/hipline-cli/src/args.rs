@@ -99,6 +99,10 @@ pub struct ComputeArgs {
     #[arg(long, value_name = "ENGINE", default_value = "auto")]
     pub engine: EngineArg,
 
+    /// Take lines as monotone chains whose ends go on for ever; one side of them
+    #[arg(long, value_name = "SIDE", conflicts_with = "side")]
+    pub chain: Option<ChainArg>,
+
     /// Print counts and times to standard error
     #[arg(long)]
     pub stats: bool,
@@ -127,6 +131,12 @@ pub enum SideArg {
     Exterior,
     /// The whole plane
     Both,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum ChainArg {
+    Left,
+    Right,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]

@@ -1,9 +1,18 @@
-//! The engine for monotone polygons, and chains (Biedl, Held, Huber, Kaaser & Palfrader 2015, *A simple algorithm
-//! for computing positively weighted straight skeletons of monotone polygons*).
+//! The engine for monotone polygons, and chains (Biedl, Held, Huber, Kaaser & Palfrader 2015, *A simple
+//! algorithm for computing positively weighted straight skeletons of monotone polygons*).
 //!
-//! A polygon that is monotone is split into two chains, whose ends go on to infinity. The skeleton
-//! of a chain needs no triangulation: all that ever happens is that edges shrink to nothing ([`chains`]).
-//! The roofs of both meet in the merge chain ([`merge`]).
+//! A polygon that is monotone is split into two chains, whose ends go on to infinity ([`split`]). The skeleton of a
+//! chain needs no triangulation: all that ever happens is that edges shrink to nothing ([`chains`], section 2;
+//! neighbours on one line: [`straight`]). The roofs of both meet in the merge chain ([`merge`], sections 3 and 4), which
+//! leaves faces over their eastern boundaries ([`boundary`]). Chains are results of their own, too ([`chain`]).
+//!
+//! Departures from the paper, with reasons in `docs/engines.md`:
+//!
+//! * No trapezoidation, and no rotation: faces are monotone in time, which serves instead.
+//! * Edges along the levels are taken as they are, and so is what they lead to: edges that meet face to face, within
+//!   a chain or across both, and edges of both chains on one plane.
+//! * Theorem 8 does not hold with weights: what was cut off may get ahead of what cut it off, in its own chain.
+//!   The engine finds that out and refuses.
 
 mod boundary;
 mod chain;
