@@ -13,6 +13,20 @@ use crate::{
 use hipline_num::Sign;
 
 impl Merge<'_, '_> {
+    /// With weights, whether the merge chain may go back in time along the boundary of a face that ends here: where
+    /// three planes have a line in common.
+    fn goes_back_along(&mut self, side: Side) -> bool {
+        if self.chains.planes.is_unweighted() || !matches!(self.course(), Ok(Course::Backward)) {
+            return false;
+        }
+        let (mut cursor, now) = (*self.cursor(side), self.now);
+        self.chains.seek(&mut cursor, &now, false);
+        let end = (cursor.east != NONE).then(|| self.chains.end_node(cursor.east));
+        let node = self.chains.front.node(self.node);
+        end.flatten()
+            .is_some_and(|end| self.chains.front.node(end) == node)
+    }
+
     /// Whether the merge chain leaves the face on the other side right here, too, for one on the same plane.
     fn joins_here(&mut self, side: Side) -> Option<(Side, Crossing)> {
         let [i, k] = self.planes();
@@ -56,6 +70,9 @@ impl Merge<'_, '_> {
             }
             if matches!(self.course(), Ok(Course::Joint { forward: false })) {
                 // It is there right before, and one with the other one.
+                return;
+            }
+            if self.goes_back_along(side) {
                 return;
             }
             if let Some((other, crossing)) = self.joins_here(side) {
