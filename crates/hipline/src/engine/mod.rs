@@ -104,6 +104,12 @@ impl Figure {
         }
     }
 
+    /// Whether all speeds are one. With others, the engine for monotone polygons finds only at the end whether it applies.
+    #[expect(clippy::float_cmp, reason = "asks for the number one itself")]
+    fn is_plain(&self) -> bool {
+        self.edges().iter().all(|edge| edge.speeds == [1.0, 1.0])
+    }
+
     /// The part of the plane to cover, never [`Region::Auto`].
     const fn region(&self, options: Options) -> Region {
         match options.region {
