@@ -145,7 +145,7 @@ pub enum EngineArg {
     Auto,
     /// The kinetic triangulation
     Kinetic,
-    /// Monotone polygons with positive speeds
+    /// Monotone polygons without weights
     Monotone,
     /// Orthogonal monotone polygons, in linear time
     Orthogonal,

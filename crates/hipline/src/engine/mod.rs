@@ -20,7 +20,7 @@ pub enum Engine {
     /// The kinetic triangulation (Aichholzer & Aurenhammer 1996). Applies to everything.
     Kinetic,
     /// Two chains and their merge (Biedl and others, 2015). Applies to the inside of monotone
-    /// polygons, with positive speeds.
+    /// polygons, with one positive speed for all edges.
     Monotone,
     /// Skeletons of two chains, merged (Eder, Held & Palfrader 2019), in linear time. Applies to the inside of one polygon without
     /// holes that is monotone and whose edges are parallel to the axes and of speed 1.
