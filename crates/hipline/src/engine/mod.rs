@@ -63,9 +63,6 @@ pub enum NotApplicable {
     Heights,
 }
 
-/// From this number of edges on, the engine for monotone polygons is the faster one: see `docs/engines.md`.
-const MONOTONE_PAYS: usize = 4;
-
 impl Figure {
     /// The straight skeleton, by the fastest engine that applies.
     ///
@@ -80,7 +77,7 @@ impl Figure {
         let region = self.region(options);
         match orthogonal::applies(self, region) {
             Ok(monotone) => orthogonal::skeleton(self, monotone),
-            Err(_) if self.edges().len() >= MONOTONE_PAYS => {
+            Err(_) if self.is_plain() && monotone::is_strict(self) => {
                 monotone::skeleton(self, region).unwrap_or_else(|_| kinetic::skeleton(self, region))
             }
             Err(_) => kinetic::skeleton(self, region),

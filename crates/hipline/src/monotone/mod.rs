@@ -25,10 +25,10 @@ mod straight;
 
 use crate::{
     engine::NotApplicable,
-    input::Figure,
-    predicates::Planes,
+    input::{Edge, Figure},
+    predicates::{Planes, turn},
     skeleton::{Region, Skeleton, Stats, assemble},
-    topology::{EdgeId, WaveId},
+    topology::{EdgeId, VertexId, WaveId},
     wavefront::{End, Walk, Wavefront},
 };
 pub use chain::{Chain, InvalidChain};
@@ -61,6 +61,16 @@ fn refusal(figure: &Figure, region: Region) -> Option<NotApplicable> {
     changes
         .or(still.or(other).map(EdgeId::new))
         .map(|edge| NotApplicable::Speed { edge })
+}
+
+/// Whether a polygon is strictly monotone: no edge lies along a level. Then nothing is ever parallel across both chains.
+pub(crate) fn is_strict(figure: &Figure) -> bool {
+    let place = |v: VertexId| figure.vertices()[v.index()];
+    figure.monotone().is_some_and(|monotone| {
+        let level =
+            |edge: &Edge| turn([place(edge.from), place(edge.to)], monotone.across).is_zero();
+        !figure.edges().iter().any(level)
+    })
 }
 
 /// The straight skeleton of the inside of a monotone polygon.
