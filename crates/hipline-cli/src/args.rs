@@ -108,6 +108,10 @@ pub struct ComputeArgs {
     #[arg(long)]
     pub modified: bool,
 
+    /// Take lines as monotone chains whose ends go on for ever; one side of them
+    #[arg(long, value_name = "SIDE", conflicts_with = "side")]
+    pub chain: Option<ChainArg>,
+
     /// Print counts and times to standard error
     #[arg(long)]
     pub stats: bool,
@@ -141,12 +145,18 @@ pub enum SideArg {
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum ChainArg {
+    Left,
+    Right,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub enum EngineArg {
     /// The fastest one that applies
     Auto,
     /// The kinetic triangulation
     Kinetic,
-    /// Monotone polygons with positive speeds
+    /// Monotone polygons without weights
     Monotone,
     /// Orthogonal monotone polygons, in linear time
     Orthogonal,

@@ -9,15 +9,15 @@ use std::{
 };
 
 use hipline::{
-    Figure, Region, Skeleton,
-    skeleton::{InputGraph, Stats},
+    Chain, Figure, Region, Skeleton,
+    skeleton::{InputGraph, Side, Stats},
 };
 use hipline_io::FeatureName;
 use indicatif::{ProgressBar, ProgressStyle};
 use rayon::prelude::*;
 
 use crate::{
-    args::ComputeArgs,
+    args::{ChainArg, ComputeArgs},
     failure::{Outcome, print_to_stderr, report},
     input::Item,
 };
@@ -45,6 +45,14 @@ pub fn skeletons(items: &[Item], compute: ComputeArgs) -> Vec<Computed> {
 
 /// The skeleton of an item, if the engine applies, and every edge was reached at its own heights, or need not.
 pub fn skeleton(item: &Item, figure: &Figure, compute: ComputeArgs) -> Result<Skeleton, String> {
+    if let Some(side) = compute.chain {
+        let side = match side {
+            ChainArg::Left => Side::Left,
+            ChainArg::Right => Side::Right,
+        };
+        let chain = Chain::new(figure).and_then(|chain| chain.skeleton(side));
+        return chain.map_err(|reason| reason.to_string());
+    }
     let skeleton = figure
         .skeleton_by(compute.engine.into(), compute.options())
         .map_err(|reason| reason.to_string())?;

@@ -11,7 +11,7 @@ mod small;
 mod weighted;
 
 pub use family::Family;
-pub use monotone::{monotone_large, monotone_small, monotone_weighted};
+pub use monotone::{chain_small, monotone_large, monotone_small, monotone_weighted};
 pub use orthogonal::{Columns, columns, orthogonal, subdivide};
 pub use random::Random;
 pub use small::{Kind, small, small_of, weigh};

@@ -185,3 +185,46 @@ pub fn monotone_large(seed: u64, vertices: usize) -> Points {
     }
     ring
 }
+
+/// A small monotone chain, in any direction, with speeds (left and right) in one case of three.
+#[must_use]
+pub fn chain_small(seed: u64) -> Case {
+    let mut random = Random::new(seed);
+    let random = &mut random;
+    let columns = random.range(1, 9);
+    let height = random.range(1, 6);
+    let ends = [random.range(0, height), random.range(0, height)];
+    let mut points = chain(random, columns, [0, height], ends);
+    points.dedup();
+    let points = turned_line(random, &points);
+    let speeds = if random.one_in(3) {
+        let speed = |_: &[[f64; 2]]| [0, 1].map(|_| *random.pick(&SPEEDS));
+        points.windows(2).map(speed).collect()
+    } else {
+        Vec::new()
+    };
+    Case {
+        comments: vec![format!("chain_small({seed})")],
+        ..Case::of(vec![Part::Line { points, speeds }])
+    }
+}
+
+/// The chain after a map that keeps integers, so that its ends can be prolonged exactly.
+fn turned_line(random: &mut Random, line: &[Point]) -> Points {
+    let maps = [
+        [1, 0, 0, 1],
+        [0, -1, 1, 0],
+        [0, 1, 1, 0],
+        [1, 1, 0, 1],
+        [3, -4, 4, 3],
+    ];
+    let [a, b, c, d] = *random.pick(&maps);
+    let mut points: Points = line
+        .iter()
+        .map(|&[x, y]| [(a * x + b * y) as f64, (c * x + d * y) as f64])
+        .collect();
+    if random.one_in(2) {
+        points.reverse();
+    }
+    points
+}

@@ -7,7 +7,7 @@ use crate::{
     envelope,
     input::Figure,
     kinetic, monotone, orthogonal,
-    skeleton::{Options, Region, Skeleton},
+    skeleton::{Options, Region, Skeleton, Uncertified},
     topology::EdgeId,
 };
 
@@ -21,7 +21,7 @@ pub enum Engine {
     /// The kinetic triangulation (Aichholzer & Aurenhammer 1996). Applies to everything.
     Kinetic,
     /// Two chains and their merge (Biedl and others, 2015). Applies to the inside of monotone
-    /// polygons, with positive speeds.
+    /// polygons, with one positive speed for all edges.
     Monotone,
     /// Skeletons of two chains, merged (Eder, Held & Palfrader 2019), in linear time. Applies to the inside of one polygon without
     /// holes that is monotone and whose edges are parallel to the axes and of speed 1.
@@ -68,13 +68,15 @@ pub enum NotApplicable {
     /// A vertex has a height.
     #[error("the figure has heights")]
     Heights,
+    /// Edges across the direction of monotonicity meet in a way that the engine does not resolve.
+    #[error(
+        "edges across the direction of monotonicity meet in a way that this engine cannot resolve"
+    )]
+    Levels,
     /// The modified skeleton is asked for.
     #[error("modified skeletons are computed by the kinetic engine only")]
     Modified,
 }
-
-/// From this number of edges on, the engine for monotone polygons is the faster one: see `docs/engines.md`.
-const MONOTONE_PAYS: usize = 4;
 
 impl Figure {
     /// The straight skeleton, by the fastest engine that applies.
@@ -94,8 +96,10 @@ impl Figure {
         }
         match orthogonal::applies(self, region) {
             Ok(monotone) => orthogonal::skeleton(self, monotone),
-            Err(_) if self.edges().len() >= MONOTONE_PAYS => monotone::skeleton(self, region)
-                .unwrap_or_else(|_| kinetic::skeleton(self, region, false)),
+            Err(_) if self.is_plain() && monotone::is_strict(self) => {
+                monotone::skeleton(self, region)
+                    .unwrap_or_else(|_| kinetic::skeleton(self, region, false))
+            }
             Err(_) => kinetic::skeleton(self, region, false),
         }
     }
@@ -119,12 +123,29 @@ impl Figure {
         match engine {
             Engine::Auto => Ok(self.skeleton(options)),
             Engine::Kinetic => Ok(kinetic::skeleton(self, region, false)),
-            Engine::Monotone => monotone::skeleton(self, region),
+            Engine::Monotone => self.monotone_skeleton(region),
             Engine::Orthogonal => {
                 let monotone = orthogonal::applies(self, region)?;
                 Ok(orthogonal::skeleton(self, monotone))
             }
             Engine::Envelope => envelope::skeleton(self, region),
+        }
+    }
+
+    /// The skeleton by the engine for monotone polygons. Where edges lie along the levels, which is where it has been
+    /// seen to fail, it has to prove its result, or at least obey the laws.
+    fn monotone_skeleton(&self, region: Region) -> Result<Skeleton, NotApplicable> {
+        let skeleton = monotone::skeleton(self, region)?;
+        let is_right = monotone::is_strict(self)
+            || match skeleton.certify(self) {
+                Ok(()) => true,
+                Err(Uncertified::NotApplicable(_)) => skeleton.verify(self).is_ok(),
+                Err(_) => false,
+            };
+        if is_right {
+            Ok(skeleton)
+        } else {
+            Err(NotApplicable::Levels)
         }
     }
 

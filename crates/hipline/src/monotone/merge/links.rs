@@ -13,6 +13,53 @@ use crate::{
 use hipline_num::Sign;
 
 impl Merge<'_, '_> {
+    /// With weights, whether the merge chain may go back in time along the boundary of a face that ends here: where
+    /// three planes have a line in common.
+    fn goes_back_along(&mut self, side: Side) -> bool {
+        if self.chains.planes.is_unweighted() || !matches!(self.course(), Ok(Course::Backward)) {
+            return false;
+        }
+        let (mut cursor, now) = (*self.cursor(side), self.now);
+        self.chains.seek(&mut cursor, &now, false);
+        let end = (cursor.east != NONE).then(|| self.chains.end_node(cursor.east));
+        let node = self.chains.front.node(self.node);
+        end.flatten()
+            .is_some_and(|end| self.chains.front.node(end) == node)
+    }
+
+    /// Whether the merge chain leaves the face on the other side right here, too, for one on the same plane.
+    fn joins_here(&mut self, side: Side) -> Option<(Side, Crossing)> {
+        let [i, k] = self.planes();
+        let (other, plane) = match side {
+            Side::Upper => (Side::Lower, i),
+            Side::Lower => (Side::Upper, k),
+        };
+        let (mut cursor, now) = (*self.cursor(other), self.now);
+        self.chains.seek(&mut cursor, &now, false);
+        if cursor.east == NONE {
+            return None;
+        }
+        let trace = *self.chains.trace(cursor.east);
+        if !self.chains.meets_coplanar(other, &trace, plane) {
+            return None;
+        }
+        let place = self.chains.place_at(&cursor, &now)?;
+        let here = self.chains.place_of(self.node);
+        if !self.chains.planes.compare_points(&place, &here).is_eq() {
+            return None;
+        }
+        let end = self.chains.end_node(cursor.east);
+        let node = end.filter(|&n| self.chains.compare(&self.chains.time_of(n), &now).is_eq());
+        Some((
+            other,
+            Crossing {
+                trace: cursor.east,
+                node,
+                time: now,
+            },
+        ))
+    }
+
     /// Leaves the faces of wavefront edges that vanish right here.
     pub(super) fn leave_dead(&mut self, side: Side) {
         loop {
@@ -24,6 +71,14 @@ impl Merge<'_, '_> {
             if matches!(self.course(), Ok(Course::Joint { forward: false })) {
                 // It is there right before, and one with the other one.
                 return;
+            }
+            if self.goes_back_along(side) {
+                return;
+            }
+            if let Some((other, crossing)) = self.joins_here(side) {
+                // One of the other chain on its plane starts right here: that first.
+                self.leave(other, &crossing);
+                continue;
             }
             let mut trace = self.chains.at_start_of(side, wave).east;
             loop {
