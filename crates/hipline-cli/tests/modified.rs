@@ -81,7 +81,10 @@ fn no_offset_shoots_ahead() {
     let plain = farthest(&scratch.json(&args));
     let modified = farthest(&scratch.json(&[&args[..], &["--modified"]].concat()));
     assert!(plain > 30.0, "{plain}");
-    assert!(modified < 20.0 + 8.0_f64.sqrt(), "{modified}");
+    assert!(
+        modified < 20.0 + 2.0 * std::f64::consts::SQRT_2,
+        "{modified}"
+    );
 }
 
 #[test]

@@ -13,7 +13,8 @@
 //! * A vertex has caps if all its edges lie within less than 90 degrees: then two, of the
 //!   two outermost edges. The caps of those in between stay behind these.
 //! * No reflex vertex of the wavefront has more than 270 degrees at the start, and so none is ever
-//!   faster than the square root of two.
+//!   faster than the square root of two: where reflex vertices meet, what each has swept takes at least
+//!   90 degrees, so that no more than 180 are left for a new one.
 //!
 //! # Departure
 //! Taken at its word, "its own rectangular wavefront" would change obtuse angles, too: the corner of a
