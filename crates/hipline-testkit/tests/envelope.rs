@@ -32,7 +32,8 @@ fn failure(figure: &Figure) -> Option<String> {
         Ok(result) => result.ok()?,
         Err(_) => return Some("it panics".to_owned()),
     };
-    let kinetic = figure.skeleton(inside());
+    let kinetic = figure.skeleton_by(Engine::Kinetic, inside());
+    let kinetic = kinetic.expect("it applies to everything");
     (drawn(&skeleton) != drawn(&kinetic)).then(|| "they differ".to_owned())
 }
 
