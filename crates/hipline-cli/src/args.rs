@@ -1,5 +1,6 @@
 //! What can be asked for. Help, completions and the man page derive from here.
 
+mod compute;
 mod observe;
 
 use std::path::PathBuf;
@@ -8,7 +9,6 @@ use clap::{
     Args as Group, Parser, Subcommand, ValueEnum,
     builder::{PossibleValuesParser, TypedValueParser},
 };
-use hipline::{Engine, Region, skeleton::Options};
 use hipline_io::{
     Format,
     write::{Layers, Measure},
@@ -17,6 +17,7 @@ use hipline_io::{
 use crate::parse::{
     GableArg, RoofEdge, distance, edge_slope, elevation, finite, gable, positive, slope,
 };
+pub use compute::{ChainArg, ComputeArgs, SideArg};
 pub use observe::{Corners, Drained, PlaneArgs, QueryArgs, RainArgs, TerrainArgs};
 
 mod motorcycles;
@@ -90,90 +91,6 @@ pub struct InputArgs {
 fn input_format() -> impl TypedValueParser<Value = Format> {
     PossibleValuesParser::new(Format::ALL.map(|format| format.extensions()[0]))
         .try_map(|name| name.parse::<Format>())
-}
-
-/// How skeletons are computed.
-#[derive(Debug, Clone, Copy, Group)]
-pub struct ComputeArgs {
-    /// Which part of the plane [default: the interior of polygons, both sides of lines]
-    #[arg(long, value_name = "SIDE")]
-    pub side: Option<SideArg>,
-
-    /// The algorithm; all give the same result
-    #[arg(long, value_name = "ENGINE", default_value = "auto")]
-    pub engine: EngineArg,
-
-    /// Let every edge send out a rectangle of its own, so that nothing shoots ahead of acute
-    /// angles: the modified skeleton. Not with weights or heights
-    #[arg(long)]
-    pub modified: bool,
-
-    /// Take lines as monotone chains whose ends go on for ever; one side of them
-    #[arg(long, value_name = "SIDE", conflicts_with = "side")]
-    pub chain: Option<ChainArg>,
-
-    /// Print counts and times to standard error
-    #[arg(long)]
-    pub stats: bool,
-}
-
-impl ComputeArgs {
-    pub fn region(self) -> Region {
-        match self.side {
-            None => Region::Auto,
-            Some(SideArg::Interior) => Region::Interior,
-            Some(SideArg::Exterior) => Region::Exterior,
-            Some(SideArg::Both) => Region::Both,
-        }
-    }
-
-    pub fn options(self) -> Options {
-        Options::default()
-            .region(self.region())
-            .modified(self.modified)
-    }
-}
-
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub enum SideArg {
-    /// The inside of the polygons
-    Interior,
-    /// The plane without the inside of the polygons
-    Exterior,
-    /// The whole plane
-    Both,
-}
-
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub enum ChainArg {
-    Left,
-    Right,
-}
-
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub enum EngineArg {
-    /// The fastest one that applies
-    Auto,
-    /// The kinetic triangulation
-    Kinetic,
-    /// Monotone polygons without weights
-    Monotone,
-    /// Orthogonal monotone polygons, in linear time
-    Orthogonal,
-    /// The lower envelope of slabs; for the inside of polygons with unit speeds
-    Envelope,
-}
-
-impl From<EngineArg> for Engine {
-    fn from(engine: EngineArg) -> Self {
-        match engine {
-            EngineArg::Auto => Self::Auto,
-            EngineArg::Kinetic => Self::Kinetic,
-            EngineArg::Monotone => Self::Monotone,
-            EngineArg::Orthogonal => Self::Orthogonal,
-            EngineArg::Envelope => Self::Envelope,
-        }
-    }
 }
 
 /// Where the output goes.

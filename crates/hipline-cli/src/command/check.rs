@@ -140,6 +140,9 @@ struct Verified {
     faces: usize,
 }
 
+/// Larger figures are checked by the laws alone.
+const CERTIFIED: usize = 5_000;
+
 fn verify(figure: Option<&Figure>, record: Option<&SkeletonRecord>) -> Result<Verified, String> {
     let skeleton = match record.map(|record| &record.result) {
         None => return Err("there is no result for it".to_owned()),
@@ -159,9 +162,15 @@ fn verify(figure: Option<&Figure>, record: Option<&SkeletonRecord>) -> Result<Ve
             Err("the geometry is empty, but its skeleton is not".to_owned())
         };
     };
-    let violations = match skeleton.certify(figure) {
+    // The motorcycle graph takes too long on some large inputs.
+    let checked = if figure.vertices().len() <= CERTIFIED {
+        skeleton.certify(figure)
+    } else {
+        skeleton.verify(figure).map_err(Uncertified::Unlawful)
+    };
+    let violations = match checked {
         Ok(()) => {
-            verified.certified = true;
+            verified.certified = figure.vertices().len() <= CERTIFIED;
             return Ok(verified);
         }
         // Where the theorem says nothing, the laws alone are asked.

@@ -114,7 +114,7 @@ fn segments(document: &Document) -> Vec<[[f64; 2]; 2]> {
                 for ring in polygons.iter().flat_map(|polygon| &polygon.rings) {
                     chain(ring);
                     if let (Some(first), Some(last)) = (ring.first(), ring.last())
-                        && first != last
+                        && first.map(f64::to_bits) != last.map(f64::to_bits)
                     {
                         chain(&[*last, *first]);
                     }
