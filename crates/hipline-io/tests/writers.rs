@@ -80,7 +80,7 @@ fn json_of_a_hip_roof() {
         [1,2],
         [2,3],
         [3,0]]},
-        "stats":{"edge_events":0,"split_events":0,"flips":0,"by_f64":0,"by_double_double":0,"by_wide":0,"by_exact":0}}
+        "stats":{"edge_events":0,"split_events":0,"flips":0,"steps":0,"by_f64":0,"by_double_double":0,"by_wide":0,"by_exact":0}}
     "#]],
     );
 }
@@ -110,7 +110,7 @@ fn json_of_a_segment() {
         {"edge":0,"side":"end","nodes":[1,5,4]}],
         "input":{"vertices":2,"terminals":2,"edges":[
         [0,1]]},
-        "stats":{"edge_events":0,"split_events":0,"flips":0,"by_f64":0,"by_double_double":0,"by_wide":0,"by_exact":0}}
+        "stats":{"edge_events":0,"split_events":0,"flips":0,"steps":0,"by_f64":0,"by_double_double":0,"by_wide":0,"by_exact":0}}
     "#]],
     );
 }

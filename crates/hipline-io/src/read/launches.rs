@@ -92,7 +92,7 @@ mod tests {
     fn tables_say_what_is_wrong_with_them() {
         for (table, expected) in [
             ("x,y,vx\n", "there is no column vy"),
-            ("x,y,vx,vy,colour\n", "colour\" is no column of it"),
+            ("x,y,vx,vy,colour\n", "colour` is no column of it"),
             ("x,y,vx,vy,x\n", "the column x is there twice"),
             (
                 "x,y,vx,vy\n1,2,3,4\n1,2,three,4\n",

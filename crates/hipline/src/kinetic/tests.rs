@@ -102,7 +102,8 @@ fn parts_make_the_whole() {
                 };
                 assert_eq!(faces(&merged), faces(&whole), "seed {seed}, {region:?}");
                 assert_eq!(merged.nodes().len(), whole.nodes().len(), "seed {seed}");
-                assert_eq!(merged.verify(&figure), whole.verify(&figure), "seed {seed}");
+                let lawful = [&merged, &whole].map(|s| s.verify(&figure).is_ok());
+                assert_eq!(lawful[0], lawful[1], "seed {seed}");
             }
         }
     }
