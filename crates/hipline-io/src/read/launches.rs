@@ -96,11 +96,11 @@ mod tests {
             ("x,y,vx,vy,x\n", "the column x is there twice"),
             (
                 "x,y,vx,vy\n1,2,3,4\n1,2,three,4\n",
-                "motorcycle 1: vx: \"three\" is not a number",
+                "motorcycle 1: vx: `three` is not a number",
             ),
             (
                 "x,y,vx,vy\n1,2,,4\n",
-                "motorcycle 0: vx: \"\" is not a number",
+                "motorcycle 0: vx: `` is not a number",
             ),
             ("x,y,vx,vy\n1,2,inf,4\n", "is not a finite number"),
             ("x,y,vx,vy\n1,2,3\n", "line: 2"),
