@@ -132,7 +132,7 @@ fn what_it_does_not_apply_to_is_refused() {
                     figure
                         .edges()
                         .iter()
-                        .all(|e| e.on_ring && e.speeds == [1.0, 1.0])
+                        .all(|e| e.on_ring && e.speeds.map(f64::to_bits) == [1.0_f64.to_bits(); 2])
                 );
             }
             Err(NotApplicable::NotInterior) => refused[0] += 1,
