@@ -1,5 +1,7 @@
 //! A constrained triangulation of a figure's vertices, as plain arrays.
 
+use crate::skeleton::Region;
+
 /// A triangulation of the convex hull of a figure's vertices that contains every edge of
 /// the figure.
 ///
@@ -16,6 +18,17 @@ pub(crate) struct Mesh {
     /// The directed hull edges `u -> v` with the OUTSIDE on their left, in order around
     /// the hull (each one starts where the one before ends; clockwise around the figure).
     pub hull: Vec<HullEdge>,
+}
+
+impl Mesh {
+    /// Whether a triangle belongs to a part of the plane.
+    pub(crate) fn is_in(&self, triangle: usize, region: Region) -> bool {
+        match region {
+            Region::Interior => self.inside[triangle],
+            Region::Exterior => !self.inside[triangle],
+            Region::Auto | Region::Both => true,
+        }
+    }
 }
 
 /// One edge of the hull, seen from the outside.

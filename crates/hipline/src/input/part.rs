@@ -51,11 +51,7 @@ impl Figure {
         least_part: usize,
     ) -> Option<Parts<'_>> {
         let mesh = self.mesh();
-        let kept = |t: usize| match region {
-            Region::Interior => mesh.inside[t],
-            Region::Exterior => !mesh.inside[t],
-            Region::Auto | Region::Both => true,
-        };
+        let kept = |t: usize| mesh.is_in(t, region);
         if mesh.corners.len() < least_whole {
             return None;
         }

@@ -90,11 +90,7 @@ impl<'a> Kinetic<'a> {
     fn triangulate(&mut self, region: Region) {
         let mesh = self.figure.mesh();
         let outside = region != Region::Interior;
-        let kept = |t: usize| match region {
-            Region::Interior => mesh.inside[t],
-            Region::Exterior => !mesh.inside[t],
-            Region::Auto | Region::Both => true,
-        };
+        let kept = |t: usize| mesh.is_in(t, region);
         let order = along_input(mesh, self.figure.vertices().len(), kept);
         let count = order.len();
         let mut number = vec![Across::NOTHING; mesh.corners.len()];

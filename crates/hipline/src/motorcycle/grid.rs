@@ -185,16 +185,8 @@ impl<'a> Grid<'a> {
             self.time(ride.time, lasts[1] + margin, 1.0),
         ];
         let (rows, leaves) = self.span(from, to);
-        if leaves && !ride.outside {
-            self.rides[who as usize].outside = true;
-            let outside = self.cells.len() - 1;
-            self.enter(
-                field,
-                who,
-                outside,
-                [f64::NEG_INFINITY, f64::INFINITY],
-                found,
-            );
+        if leaves {
+            self.leave(field, who, found);
         }
         if rows.is_empty() {
             return;
@@ -215,18 +207,16 @@ impl<'a> Grid<'a> {
                 cell: next as u32,
                 side: 0,
             }),
-            None if !self.rides[who as usize].outside => {
-                self.rides[who as usize].outside = true;
-                let outside = self.cells.len() - 1;
-                self.enter(
-                    field,
-                    who,
-                    outside,
-                    [f64::NEG_INFINITY, f64::INFINITY],
-                    found,
-                );
-            }
-            None => {}
+            None => self.leave(field, who, found),
+        }
+    }
+
+    /// A motorcycle may be outside of the grid: at any time, as nobody measures there.
+    fn leave(&mut self, field: &Field, who: u32, found: &mut Found) {
+        if !std::mem::replace(&mut self.rides[who as usize].outside, true) {
+            let outside = self.cells.len() - 1;
+            let always = [f64::NEG_INFINITY, f64::INFINITY];
+            self.enter(field, who, outside, always, found);
         }
     }
 

@@ -208,6 +208,26 @@ impl<'a> Plan<'a> {
             .any(|ground| matches!(ground, Ground::Face(face) if has_no_area(&self.lift, *face)))
     }
 
+    /// Adds a segment, or leaves it to what is made of faces without area.
+    fn add_unless_standing(
+        &mut self,
+        ends: [u32; 2],
+        border: Border,
+        grounds: [Ground; 2],
+        (track, flipped): (Track, bool),
+        standing: &mut Vec<Standing>,
+    ) {
+        if self.is_beside_standing(grounds) {
+            standing.push(Standing {
+                ends,
+                border,
+                grounds,
+            });
+        } else {
+            self.add(ends, border, grounds, track, flipped);
+        }
+    }
+
     /// Adds a segment, walking from one node to another with the given grounds.
     pub(super) fn add(
         &mut self,
@@ -260,15 +280,7 @@ impl<'a> Plan<'a> {
             let track = Track::Through([[p.x, p.y], [q.x, q.y]]);
             let ends = nodes.map(|v| numbers[v.index()]);
             let (border, grounds) = (Border::Edge(EdgeId::new(e)), grounds[e]);
-            if self.is_beside_standing(grounds) {
-                standing.push(Standing {
-                    ends,
-                    border,
-                    grounds,
-                });
-            } else {
-                self.add(ends, border, grounds, track, false);
-            }
+            self.add_unless_standing(ends, border, grounds, (track, false), standing);
         }
     }
 
@@ -329,15 +341,7 @@ impl<'a> Plan<'a> {
                         // The face is on the left, and what comes later is positive.
                         let grounds = [Ground::Face(face), Ground::Beyond];
                         let border = Border::Last;
-                        if self.is_beside_standing(grounds) {
-                            standing.push(Standing {
-                                ends,
-                                border,
-                                grounds,
-                            });
-                        } else {
-                            self.add(ends, border, grounds, track, true);
-                        }
+                        self.add_unless_standing(ends, border, grounds, (track, true), standing);
                     }
                 }
             }

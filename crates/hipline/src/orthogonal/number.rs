@@ -26,35 +26,27 @@ pub(super) trait Number:
     fn round(self) -> f64;
 }
 
-impl Number for i64 {
-    const DIGITS: i32 = 58;
-    const ZERO: Self = 0;
-    #[inline]
-    fn of(x: f64) -> Self {
-        x as Self
-    }
-    fn half(self) -> Self {
-        self >> 1
-    }
-    fn round(self) -> f64 {
-        self as f64
-    }
+macro_rules! machine_integer {
+    ($integer:ty, $digits:literal) => {
+        impl Number for $integer {
+            const DIGITS: i32 = $digits;
+            const ZERO: Self = 0;
+            #[inline]
+            fn of(x: f64) -> Self {
+                x as Self
+            }
+            fn half(self) -> Self {
+                self >> 1
+            }
+            fn round(self) -> f64 {
+                self as f64
+            }
+        }
+    };
 }
 
-impl Number for i128 {
-    const DIGITS: i32 = 122;
-    const ZERO: Self = 0;
-    #[inline]
-    fn of(x: f64) -> Self {
-        x as Self
-    }
-    fn half(self) -> Self {
-        self >> 1
-    }
-    fn round(self) -> f64 {
-        self as f64
-    }
-}
+machine_integer!(i64, 58);
+machine_integer!(i128, 122);
 
 /// Machine words in [`Wide`]: 512 binary digits, where the range of a figure's coordinates needs less than 400.
 const WORDS: usize = 8;
