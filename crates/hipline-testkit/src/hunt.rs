@@ -2,12 +2,12 @@
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
-use hipline::{Options, Skeleton};
+use hipline::{Engine, Figure, Options, Skeleton};
 
 use crate::agreement::compare;
 use crate::case::Case;
 use crate::reduce::reduce;
-use crate::reference::{Graph, reference};
+use crate::reference::{Graph, Reference, reference};
 
 /// How the library fails on a case, in words; `None` if it agrees with the reference and passes
 /// verification, or if the case is not a figure.
@@ -23,10 +23,26 @@ pub fn failure(case: &Case) -> Option<String> {
     let Ok(expected) = catch_unwind(|| reference(&graph, case.region)) else {
         return Some("the reference panics".to_owned());
     };
-    let mut options = Options::default();
-    options.region = case.region;
-    let skeleton = match catch_unwind(AssertUnwindSafe(|| figure.skeleton(options))) {
-        Ok(skeleton) => skeleton,
+    let options = Options::default().region(case.region);
+    // Often both are one; comparing costs little beside the reference.
+    [Engine::Kinetic, Engine::Auto]
+        .into_iter()
+        .find_map(|engine| {
+            let how = failure_of(engine, &figure, options, &expected)?;
+            Some(format!("{engine:?}:\n{how}"))
+        })
+}
+
+/// How one engine fails, in words.
+fn failure_of(
+    engine: Engine,
+    figure: &Figure,
+    options: Options,
+    expected: &Reference,
+) -> Option<String> {
+    let run = AssertUnwindSafe(|| figure.skeleton_by(engine, options));
+    let skeleton = match catch_unwind(run) {
+        Ok(result) => result.expect("they apply to everything"),
         Err(cause) => {
             let text = cause.downcast_ref::<String>().map(String::as_str);
             let text = text
@@ -35,13 +51,13 @@ pub fn failure(case: &Case) -> Option<String> {
             return Some(format!("the library panics: {text}"));
         }
     };
-    if let Err(difference) = compare(&figure, &skeleton, &expected) {
+    if let Err(difference) = compare(figure, &skeleton, expected) {
         return Some(difference.to_string());
     }
     if overruns_at_zero(&skeleton) {
         return None;
     }
-    let violations = skeleton.verify(&figure).err()?;
+    let violations = skeleton.verify(figure).err()?;
     Some(format!("verification fails: {violations}"))
 }
 
@@ -61,7 +77,7 @@ pub fn manner(how: &str) -> String {
         let text = how[at..].split(['{', '(']).next().unwrap_or_default();
         return text.chars().filter(|c| !c.is_ascii_digit()).collect();
     }
-    if how.starts_with("verification") {
+    if how.contains("\nverification") {
         let last = how.rsplit(' ').take(3).collect::<Vec<_>>();
         return last.join(" ");
     }

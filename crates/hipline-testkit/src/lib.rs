@@ -6,12 +6,14 @@
 //! - [`agreement`]: arc for arc, bit for bit
 //! - [`metamorphic`]: maps of cases under which results must map along
 //! - [`hunt`](mod@hunt): the library against the reference, case by case
+//! - [`measure`]: areas and windings, in the plainest way
 //! - [`reduce`](mod@reduce): the smallest case that still fails
 
 pub mod agreement;
 pub mod case;
 pub mod generate;
 pub mod hunt;
+pub mod measure;
 pub mod metamorphic;
 pub mod reduce;
 pub mod reference;

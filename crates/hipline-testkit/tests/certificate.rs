@@ -6,25 +6,13 @@ use common::{count, field};
 use hipline::{Options, Region, skeleton::Uncertified};
 use hipline_testkit::generate::{Kind, small_of};
 
-/// Kinds of cases that consist of polygons alone, now and then.
-const KINDS: [Kind; 8] = [
-    Kind::Simple,
-    Kind::Star,
-    Kind::Shape,
-    Kind::Polyomino,
-    Kind::Holes,
-    Kind::Touching,
-    Kind::Symmetric,
-    Kind::Islands,
-];
-
 #[test]
 fn small_polygons_are_certified() {
     let options = Options::default().region(Region::Interior);
     let mut certified = 0;
     let mut wrong = Vec::new();
     for seed in 0..count(20_000, 800) {
-        let case = small_of(KINDS[(seed % 8) as usize], seed);
+        let case = small_of(Kind::POLYGONS[(seed % 8) as usize], seed);
         let Ok(figure) = case.figure() else { continue };
         match figure.skeleton(options).certify(&figure) {
             Ok(()) => certified += 1,

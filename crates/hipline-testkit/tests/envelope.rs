@@ -10,18 +10,6 @@ use hipline_testkit::agreement::{compare, drawn};
 use hipline_testkit::generate::{Family, Kind, small, small_of};
 use hipline_testkit::reference::{Graph, reference};
 
-/// Kinds of cases that consist of polygons alone.
-const KINDS: [Kind; 8] = [
-    Kind::Simple,
-    Kind::Star,
-    Kind::Shape,
-    Kind::Polyomino,
-    Kind::Holes,
-    Kind::Touching,
-    Kind::Symmetric,
-    Kind::Islands,
-];
-
 fn inside() -> Options {
     Options::default().region(Region::Interior)
 }
@@ -47,7 +35,7 @@ fn agrees_with_the_kinetic_engine() {
     let mut wrong = Vec::new();
     let mut tried = 0;
     for seed in 0..cases {
-        let case = small_of(KINDS[(seed % 8) as usize], seed);
+        let case = small_of(Kind::POLYGONS[(seed % 8) as usize], seed);
         let Ok(figure) = case.figure() else { continue };
         tried += u64::from(applies(&figure));
         if let Some(how) = failure(&figure) {
@@ -66,7 +54,7 @@ fn agrees_with_the_reference() {
     let cases = count(1600, 80);
     let mut tried = 0;
     for seed in 1_000_000..1_000_000 + cases {
-        let case = small_of(KINDS[(seed % 8) as usize], seed);
+        let case = small_of(Kind::POLYGONS[(seed % 8) as usize], seed);
         let Ok(figure) = case.figure() else { continue };
         let Ok(skeleton) = figure.skeleton_by(Engine::Envelope, inside()) else {
             continue;

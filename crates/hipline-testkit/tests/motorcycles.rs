@@ -14,17 +14,6 @@ use hipline_testkit::generate::{Kind, Random, small_of};
 use hipline_testkit::metamorphic::Map;
 use hipline_testkit::reference::{Graph, RefMotorcycle, reference_launches, reference_motorcycles};
 
-const KINDS: [Kind; 8] = [
-    Kind::Simple,
-    Kind::Star,
-    Kind::Shape,
-    Kind::Polyomino,
-    Kind::Holes,
-    Kind::Touching,
-    Kind::Symmetric,
-    Kind::Islands,
-];
-
 fn told(graph: &MotorcycleGraph) -> Vec<RefMotorcycle> {
     let spot = |spot: Spot| [spot.x, spot.y, spot.time];
     let all = graph.motorcycles().iter();
@@ -96,7 +85,7 @@ fn agrees(case: &Case) -> bool {
 fn walks_agree_with_all_pairs() {
     let (mut seen, mut meetings, mut births, mut valleys) = (0, 0, 0, 0);
     for seed in 0..count(20_000, 500) {
-        let case = small_of(KINDS[seed as usize % KINDS.len()], seed);
+        let case = small_of(Kind::POLYGONS[seed as usize % Kind::POLYGONS.len()], seed);
         if agrees(&case) {
             seen += 1;
             let figure = case.figure().expect("a figure");
@@ -184,7 +173,10 @@ fn tracks(case: &Case, map: Map) -> Vec<[drawn::End; 2]> {
 #[test]
 fn maps_carry_motorcycles_along() {
     for seed in 0..count(2000, 100) {
-        let case = small_of(KINDS[seed as usize % KINDS.len()], 1_000_000 + seed);
+        let case = small_of(
+            Kind::POLYGONS[seed as usize % Kind::POLYGONS.len()],
+            1_000_000 + seed,
+        );
         if !case
             .figure()
             .is_ok_and(|figure| figure.motorcycles().is_ok())

@@ -9,53 +9,13 @@ use common::count;
 use hipline::{
     Figure, Options, Region, Skeleton,
     offset::{Offset, OffsetLoop},
-    skeleton::NodeKind,
-    topology::{FaceId, NodeId},
 };
-use hipline_testkit::{Case, generate::small};
+use hipline_testkit::{
+    Case,
+    generate::small,
+    measure::{area, swept},
+};
 use robust::{Coord, orient2d};
-
-fn area(ring: &[[f64; 2]]) -> f64 {
-    let [x, y] = ring[0];
-    let next = ring.iter().skip(1).chain(ring.first());
-    let cross = ring
-        .iter()
-        .zip(next)
-        .map(|(p, q)| (p[0] - x) * (q[1] - y) - (q[0] - x) * (p[1] - y));
-    cross.sum::<f64>() / 2.0
-}
-
-/// The area swept until a time, from the faces clipped at that height one by one.
-fn swept(skeleton: &Skeleton, distance: f64) -> f64 {
-    let cut = |a: NodeId, b: NodeId| -> [f64; 2] {
-        let (a, b) = (skeleton.node(a), skeleton.node(b));
-        let (low, high) = if a.time < b.time { (a, b) } else { (b, a) };
-        if let NodeKind::Infinite { direction } = high.kind {
-            let t = distance - low.time;
-            return [low.x + t * direction[0], low.y + t * direction[1]];
-        }
-        let t = (distance - low.time) / (high.time - low.time);
-        [low.x + t * (high.x - low.x), low.y + t * (high.y - low.y)]
-    };
-    let cycle_area = |cycle: &[NodeId]| {
-        let mut ring = Vec::new();
-        for (i, &a) in cycle.iter().enumerate() {
-            let b = cycle[(i + 1) % cycle.len()];
-            let (t, u) = (skeleton.node(a).time, skeleton.node(b).time);
-            if t <= distance {
-                ring.push([skeleton.node(a).x, skeleton.node(a).y]);
-            }
-            if (t <= distance) != (u <= distance) {
-                ring.push(cut(a, b));
-            }
-        }
-        if ring.is_empty() { 0.0 } else { area(&ring) }
-    };
-    let faces = (0..skeleton.faces().len()).map(FaceId::new);
-    faces
-        .map(|f| cycle_area(skeleton.boundary(f)) + skeleton.holes(f).map(cycle_area).sum::<f64>())
-        .sum()
-}
 
 fn side(a: [f64; 2], b: [f64; 2], c: [f64; 2]) -> i32 {
     let coord = |[x, y]: [f64; 2]| Coord { x, y };

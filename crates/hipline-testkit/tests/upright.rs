@@ -8,32 +8,17 @@ use hipline::offset::{Offset, OffsetLoop};
 use hipline::{Figure, Options, Region, Skeleton};
 use hipline_testkit::generate::{Random, small_weighted};
 use hipline_testkit::hunt::overruns_at_zero;
-
-/// How often a closed loop goes around a point.
-fn winding(points: &[[f64; 2]], [x, y]: [f64; 2]) -> i32 {
-    let mut around = 0;
-    for (i, p) in points.iter().enumerate() {
-        let q = points[(i + 1) % points.len()];
-        let is_left = (q[0] - p[0]) * (y - p[1]) - (x - p[0]) * (q[1] - p[1]);
-        if p[1] <= y && q[1] > y && is_left > 0.0 {
-            around += 1;
-        } else if p[1] > y && q[1] <= y && is_left < 0.0 {
-            around -= 1;
-        }
-    }
-    around
-}
+use hipline_testkit::measure::winding;
 
 /// Points anywhere around a figure.
 fn points(seed: u64, figure: &Figure) -> Vec<[f64; 2]> {
     let mut random = Random::new(seed);
-    let mut fraction = || random.next() as f64 / u64::MAX as f64;
     let range = |axis: usize| {
         let values = figure.vertices().iter().map(|v| v[axis]);
         values.fold((f64::MAX, f64::MIN), |(l, h), x| (l.min(x), h.max(x)))
     };
     let ranges = [range(0), range(1)];
-    let mut point = || ranges.map(|(l, h)| l - 1.0 + (h - l + 2.0) * fraction());
+    let mut point = || ranges.map(|(l, h)| l - 1.0 + (h - l + 2.0) * random.unit());
     (0..40).map(|_| point()).collect()
 }
 

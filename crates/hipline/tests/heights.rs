@@ -13,6 +13,10 @@ use hipline::{
     skeleton::{ArcKind, NodeKind, Side},
     topology::{FaceId, VertexId},
 };
+use hipline_testkit::{
+    generate::Random,
+    measure::{area, winding},
+};
 
 const fn at(ring: usize, index: usize) -> Place {
     Place {
@@ -191,19 +195,6 @@ fn an_eave_that_is_covered_is_named() {
     assert!(text.contains("part 1, ring 0, edge 0"), "{text}");
 }
 
-/// The sequence of a linear congruential generator; only has to be the same everywhere.
-struct Random(u64);
-
-impl Random {
-    fn below(&mut self, n: u64) -> u64 {
-        self.0 = self
-            .0
-            .wrapping_mul(6_364_136_223_846_793_005)
-            .wrapping_add(1_442_695_040_888_963_407);
-        (self.0 >> 33) % n
-    }
-}
-
 /// A facet of the textbook: height at a point, for an eave p q with heights, on the left.
 fn facet_height(p: [f64; 2], q: [f64; 2], heights: [f64; 2], [x, y]: [f64; 2]) -> f64 {
     let d = [q[0] - p[0], q[1] - p[1]];
@@ -214,11 +205,6 @@ fn facet_height(p: [f64; 2], q: [f64; 2], heights: [f64; 2], [x, y]: [f64; 2]) -
     heights[0]
         + along * (dx * d[0] + dy * d[1]) / length
         + across * (dy * d[0] - dx * d[1]) / length
-}
-
-fn area(points: &[[f64; 2]]) -> f64 {
-    let pairs = points.iter().zip(points.iter().cycle().skip(1));
-    pairs.map(|(p, q)| p[0] * q[1] - p[1] * q[0]).sum::<f64>() / 2.0
 }
 
 /// Checks facets against the textbook's planes, and the sum of their areas.
@@ -261,8 +247,8 @@ fn check_facets(figure: &Figure, skeleton: &Skeleton, seed: u64) {
 fn facets_of_random_polygons_lie_on_their_planes_and_tile() {
     let mut attained = 0;
     for seed in 0..400 {
-        let mut random = Random(seed);
-        let n = 3 + random.below(5) as usize;
+        let mut random = Random::new(seed);
+        let n = 3 + random.below(5);
         let points: Vec<[f64; 2]> = (0..n)
             .map(|_| [0, 1].map(|_| 2.0 * random.below(8) as f64))
             .collect();
@@ -283,8 +269,8 @@ fn facets_of_random_polygons_lie_on_their_planes_and_tile() {
 fn random_lines_with_heights_obey_the_laws() {
     let mut attained = [0, 0];
     for seed in 0..600 {
-        let mut random = Random(seed ^ 0x5eed);
-        let n = 2 + random.below(4) as usize;
+        let mut random = Random::new(seed ^ 0x5eed);
+        let n = 2 + random.below(4);
         let grid = 3 + random.below(6);
         let mut points: Vec<[f64; 2]> = (0..n)
             .map(|_| [0, 1].map(|_| 2.0 * random.below(grid) as f64))
@@ -319,23 +305,6 @@ fn random_lines_with_heights_obey_the_laws() {
     assert!(attained[1] > 200 && attained[0] > 5, "{attained:?}");
 }
 
-/// How often closed loops go around a point.
-fn winding(loops: &[hipline::offset::OffsetLoop], [x, y]: [f64; 2]) -> i32 {
-    let mut around = 0;
-    for points in loops.iter().map(|l| l.points()) {
-        for (i, p) in points.iter().enumerate() {
-            let q = points[(i + 1) % points.len()];
-            let is_left = (q[0] - p[0]) * (y - p[1]) - (x - p[0]) * (q[1] - p[1]);
-            if p[1] <= y && q[1] > y && is_left > 0.0 {
-                around += 1;
-            } else if p[1] > y && q[1] <= y && is_left < 0.0 {
-                around -= 1;
-            }
-        }
-    }
-    around
-}
-
 /// The offsets enclose what point location says is not yet reached.
 fn check_offsets(figure: &Figure, skeleton: &Skeleton, seed: u64) -> [usize; 2] {
     let distances = [0.25, 0.5, 0.75, 1.0, 1.6, 3.0];
@@ -351,7 +320,12 @@ fn check_offsets(figure: &Figure, skeleton: &Skeleton, seed: u64) -> [usize; 2] 
         };
         for (offset, d) in offsets.iter().zip(distances) {
             if (answer.time - d).abs() > 1e-9 {
-                let around = everywhere + winding(offset.loops(), point);
+                let around = everywhere
+                    + offset
+                        .loops()
+                        .iter()
+                        .map(|l| winding(l.points(), point))
+                        .sum::<i32>();
                 assert_eq!(
                     around,
                     i32::from(answer.time > d),
@@ -375,8 +349,8 @@ fn offsets_know_walls_and_tilted_eaves() {
     let mut seen = [0; 2];
     let mut lines = 0;
     for seed in 0..600 {
-        let mut random = Random(seed ^ 0x0ff5e7);
-        let n = 3 + random.below(5) as usize;
+        let mut random = Random::new(seed ^ 0x0ff5e7);
+        let n = 3 + random.below(5);
         let points: Vec<[f64; 2]> = (0..n)
             .map(|_| [0, 1].map(|_| 2.0 * random.below(8) as f64))
             .collect();

@@ -3,45 +3,9 @@
 
 mod offset_support;
 
-use hipline::{
-    Figure, FigureBuilder, Options, Region, Skeleton,
-    skeleton::NodeKind,
-    topology::{FaceId, NodeId},
-};
+use hipline::{Figure, FigureBuilder, Options, Region, Skeleton, topology::FaceId};
+use hipline_testkit::measure::swept;
 use offset_support::{ELL, FUNNEL, HOLE, OUTER, PLUS, RECTANGLE, SQUARE, area, polygon, polygons};
-
-/// The area swept until a time, from the faces clipped at that height one by one.
-fn swept(skeleton: &Skeleton, distance: f64) -> f64 {
-    // Where the boundary passes the height between two nodes.
-    let cut = |a: NodeId, b: NodeId| -> [f64; 2] {
-        let (a, b) = (skeleton.node(a), skeleton.node(b));
-        let (low, high) = if a.time < b.time { (a, b) } else { (b, a) };
-        if let NodeKind::Infinite { direction } = high.kind {
-            let t = distance - low.time;
-            return [low.x + t * direction[0], low.y + t * direction[1]];
-        }
-        let t = (distance - low.time) / (high.time - low.time);
-        [low.x + t * (high.x - low.x), low.y + t * (high.y - low.y)]
-    };
-    let cycle_area = |cycle: &[NodeId]| {
-        let mut ring = Vec::new();
-        for (i, &a) in cycle.iter().enumerate() {
-            let b = cycle[(i + 1) % cycle.len()];
-            let (t, u) = (skeleton.node(a).time, skeleton.node(b).time);
-            if t <= distance {
-                ring.push([skeleton.node(a).x, skeleton.node(a).y]);
-            }
-            if (t <= distance) != (u <= distance) {
-                ring.push(cut(a, b));
-            }
-        }
-        if ring.is_empty() { 0.0 } else { area(&ring) }
-    };
-    let faces = (0..skeleton.faces().len()).map(FaceId::new);
-    faces
-        .map(|f| cycle_area(skeleton.boundary(f)) + skeleton.holes(f).map(cycle_area).sum::<f64>())
-        .sum()
-}
 
 /// Checks what must hold of every offset; `covered` is the area of the skeleton's region, or
 /// minus the area of what it leaves out of the plane.

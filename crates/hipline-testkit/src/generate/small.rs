@@ -41,6 +41,18 @@ pub enum Kind {
 }
 
 impl Kind {
+    /// Those that consist of polygons alone, now and then.
+    pub const POLYGONS: [Self; 8] = [
+        Self::Simple,
+        Self::Star,
+        Self::Shape,
+        Self::Polyomino,
+        Self::Holes,
+        Self::Touching,
+        Self::Symmetric,
+        Self::Islands,
+    ];
+
     /// All kinds.
     pub const ALL: [Self; 14] = [
         Self::Simple,

@@ -6,43 +6,32 @@ use crate::{
     input::{Change, Place, Sides},
     skeleton::NodeKind,
 };
+use hipline_testkit::generate::Random;
 
-/// The sequence of a linear congruential generator; only has to be the same everywhere.
-struct Random(u64);
-
-impl Random {
-    fn below(&mut self, n: u64) -> u64 {
-        self.0 = self
-            .0
-            .wrapping_mul(6_364_136_223_846_793_005)
-            .wrapping_add(1_442_695_040_888_963_407);
-        (self.0 >> 33) % n
-    }
-
-    fn point(&mut self) -> [f64; 2] {
-        [0, 1].map(|_| self.below(7) as f64)
-    }
+/// A point of a small grid.
+fn point(random: &mut Random) -> [f64; 2] {
+    [0, 1].map(|_| random.below(7) as f64)
 }
 
 /// Polygons, lines and segments that touch each other, some with weights.
 fn figure(seed: u64) -> Option<Figure> {
-    let mut random = Random(seed);
+    let mut random = Random::new(seed);
     let mut builder = FigureBuilder::new();
     for part in 0..1 + random.below(4) {
         if random.below(2) == 0 {
             let n = 3 + random.below(3);
-            let ring = (0..n).map(|_| random.point()).collect();
+            let ring = (0..n).map(|_| point(&mut random)).collect();
             builder.polygon(vec![ring]);
         } else {
             let n = 2 + random.below(3);
-            builder.polyline((0..n).map(|_| random.point()).collect());
+            builder.polyline((0..n).map(|_| point(&mut random)).collect());
         }
         if random.below(4) == 0 {
             builder.change(Change {
                 edge: Place {
-                    part: part as usize,
+                    part,
                     ring: 0,
-                    index: random.below(2) as usize,
+                    index: random.below(2),
                 },
                 sides: Sides::Both,
                 time: 0.5,

@@ -2,6 +2,7 @@
 #![allow(dead_code, reason = "each test uses a part")]
 
 use hipline::{Figure, FigureBuilder};
+pub use hipline_testkit::measure::area;
 use serde_json::Value;
 use std::path::PathBuf;
 
@@ -46,16 +47,6 @@ pub const PLUS: &[[f64; 2]] = &[
 pub const OUTER: &[[f64; 2]] = &[[0.0, 0.0], [9.0, 0.0], [9.0, 9.0], [0.0, 9.0]];
 pub const HOLE: &[[f64; 2]] = &[[3.0, 3.0], [3.0, 6.0], [6.0, 6.0], [6.0, 3.0]];
 pub const FUNNEL: &[[f64; 2]] = &[[0.0, 0.0], [7.0, 1.0], [9.0, 5.0], [4.5, 2.75], [1.0, 6.0]];
-
-pub fn area(ring: &[[f64; 2]]) -> f64 {
-    let [x, y] = ring[0];
-    let next = ring.iter().skip(1).chain(ring.first());
-    let cross = ring
-        .iter()
-        .zip(next)
-        .map(|(p, q)| (p[0] - x) * (q[1] - y) - (q[0] - x) * (p[1] - y));
-    cross.sum::<f64>() / 2.0
-}
 
 fn points(value: &Value) -> Vec<[f64; 2]> {
     let number = |v: &Value| v.as_f64().expect("a number");
