@@ -18,7 +18,7 @@ use crate::parse::{
     GableArg, RoofEdge, distance, edge_slope, elevation, finite, gable, positive, slope,
 };
 pub use compute::{ChainArg, ComputeArgs, SideArg};
-pub use observe::{Corners, Drained, PlaneArgs, QueryArgs, RainArgs, TerrainArgs};
+pub use observe::{Corners, Drained, PlaneArgs, PointArgs, QueryArgs, RainArgs, TerrainArgs};
 
 mod motorcycles;
 pub use motorcycles::MotorcyclesArgs;
@@ -194,6 +194,29 @@ pub struct SizeArgs {
     pub size: u32,
 }
 
+/// How pictures of lines look.
+#[derive(Debug, Clone, Copy, Group)]
+pub struct LineLookArgs {
+    /// Draw the skeleton under the lines
+    #[arg(long)]
+    pub skeleton: bool,
+    #[command(flatten)]
+    pub size: SizeArgs,
+}
+
+impl LineLookArgs {
+    /// What of the skeleton is drawn.
+    pub fn layers(self) -> Layers {
+        Layers {
+            faces: self.skeleton,
+            arcs: self.skeleton,
+            ghosts: self.skeleton,
+            nodes: false,
+            ..Layers::default()
+        }
+    }
+}
+
 /// Compute the straight skeletons of a file's features.
 ///
 /// Without -o, the result goes to standard output as JSON. The other formats hold less:
@@ -266,12 +289,8 @@ pub struct OffsetArgs {
     pub compute: ComputeArgs,
     #[command(flatten)]
     pub output: OutputArgs,
-
-    /// Draw the skeleton under the offsets
-    #[arg(long, help_heading = "Pictures")]
-    pub skeleton: bool,
     #[command(flatten, next_help_heading = "Pictures")]
-    pub size: SizeArgs,
+    pub look: LineLookArgs,
 }
 
 /// Find the line in the middle: the approximate medial axis.
@@ -320,12 +339,8 @@ pub struct CentrelineArgs {
     pub compute: ComputeArgs,
     #[command(flatten)]
     pub output: OutputArgs,
-
-    /// Draw the skeleton under the lines
-    #[arg(long, help_heading = "Pictures")]
-    pub skeleton: bool,
     #[command(flatten, next_help_heading = "Pictures")]
-    pub size: SizeArgs,
+    pub look: LineLookArgs,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]

@@ -1,6 +1,7 @@
 //! Runs the library against the reference on one case after another.
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::thread;
 
 use hipline::{Engine, Figure, Options, Skeleton};
 
@@ -116,4 +117,28 @@ pub fn hunt(
         }
     }
     found
+}
+
+/// Runs a check over all cases in two threads, and panics with what it finds.
+pub fn check_all(
+    cases: impl Iterator<Item = Case> + Clone + Send,
+    check: fn(&Case) -> Vec<String>,
+) {
+    let wrong: Vec<String> = thread::scope(|scope| {
+        let half = |k: usize| {
+            let cases = cases.clone().skip(k).step_by(2);
+            let found = move |case: Case| {
+                let wrong = check(&case).into_iter();
+                wrong.map(move |what| format!("{what}\n{}", case.to_text()))
+            };
+            move || cases.flat_map(found).collect::<Vec<_>>()
+        };
+        let running = [scope.spawn(half(0)), scope.spawn(half(1))];
+        running
+            .into_iter()
+            .flat_map(|thread| thread.join().expect("no panic"))
+            .collect()
+    });
+    let shown = wrong[..wrong.len().min(8)].join("\n");
+    assert!(wrong.is_empty(), "{} wrong\n{shown}", wrong.len());
 }

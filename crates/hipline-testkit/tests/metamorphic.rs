@@ -4,12 +4,11 @@
 
 mod common;
 
-use std::thread;
-
 use common::{count, field, run};
 use hipline_testkit::Case;
 use hipline_testkit::agreement::drawn;
 use hipline_testkit::generate::{Family, small, small_weighted};
+use hipline_testkit::hunt::check_all;
 use hipline_testkit::metamorphic::Map;
 
 /// Whether a map moves every point without rounding.
@@ -38,25 +37,11 @@ fn failures(case: &Case) -> Vec<String> {
         is_exact(map, case) && !(map.swaps_sides() && case.is_weighted())
     });
     let check = |map: Map| map.check(&before, &drawn(&run(&map.apply(case)))).err();
-    maps.filter_map(check)
-        .map(|difference| format!("{difference}\n{}", case.to_text()))
-        .collect()
+    maps.filter_map(check).collect()
 }
 
 fn check(cases: impl Iterator<Item = Case> + Clone + Send) {
-    let wrong: Vec<String> = thread::scope(|scope| {
-        let half = |k: usize| {
-            let cases = cases.clone().skip(k).step_by(2);
-            move || cases.flat_map(|case| failures(&case)).collect::<Vec<_>>()
-        };
-        let running = [scope.spawn(half(0)), scope.spawn(half(1))];
-        running
-            .into_iter()
-            .flat_map(|thread| thread.join().expect("no panic"))
-            .collect()
-    });
-    let shown = wrong[..wrong.len().min(8)].join("\n");
-    assert!(wrong.is_empty(), "{} wrong\n{shown}", wrong.len());
+    check_all(cases, failures);
 }
 
 #[test]

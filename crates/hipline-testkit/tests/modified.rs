@@ -4,7 +4,6 @@
 mod common;
 
 use std::sync::atomic::{AtomicUsize, Ordering};
-use std::thread;
 
 use common::count;
 use hipline::engine::NotApplicable;
@@ -17,6 +16,7 @@ use hipline_testkit::Case;
 use hipline_testkit::agreement::drawn;
 use hipline_testkit::case::Part;
 use hipline_testkit::generate::{Family, Kind, Random, small_of};
+use hipline_testkit::hunt::check_all;
 use hipline_testkit::metamorphic::Map;
 
 /// One more than rounding adds to a quotient near one.
@@ -210,27 +210,6 @@ fn speeds_and_heights_are_refused() {
 /// Some case of every kind, without weights.
 fn some(seed: u64) -> Case {
     small_of(Kind::ALL[seed as usize % Kind::ALL.len()], seed)
-}
-
-/// Runs a check over all cases in two threads; lists what it finds.
-fn check_all(cases: impl Iterator<Item = Case> + Clone + Send, check: fn(&Case) -> Vec<String>) {
-    let wrong: Vec<String> = thread::scope(|scope| {
-        let half = |k: usize| {
-            let cases = cases.clone().skip(k).step_by(2);
-            let found = move |case: Case| {
-                let wrong = check(&case).into_iter();
-                wrong.map(move |what| format!("{what}\n{}", case.to_text()))
-            };
-            move || cases.flat_map(found).collect::<Vec<_>>()
-        };
-        let running = [scope.spawn(half(0)), scope.spawn(half(1))];
-        running
-            .into_iter()
-            .flat_map(|thread| thread.join().expect("no panic"))
-            .collect()
-    });
-    let shown = wrong[..wrong.len().min(8)].join("\n");
-    assert!(wrong.is_empty(), "{} wrong\n{shown}", wrong.len());
 }
 
 /// Every valley starts at a vertex, and is no faster than the square root of two; and each point of a

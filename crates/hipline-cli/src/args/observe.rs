@@ -61,6 +61,19 @@ impl SurfaceArgs {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Corners(pub [f64; 4]);
 
+/// Which points to ask about.
+#[derive(Debug, Group)]
+pub struct PointArgs {
+    /// A point, or a place that a drop falls on; may be given several times
+    #[arg(long, value_name = "X,Y", allow_hyphen_values = true, value_parser = point)]
+    pub at: Vec<[f64; 2]>,
+
+    /// A file with a point in each line: x and y, with commas, semicolons or spaces between
+    /// them. A first line without numbers is skipped
+    #[arg(long, value_name = "FILE")]
+    pub points: Option<PathBuf>,
+}
+
 /// Turn rivers, lakes and coasts into a terrain.
 ///
 /// The surface rises from the input with the given slope, as a roof does from its eaves.
@@ -121,18 +134,11 @@ pub struct RainArgs {
     #[command(flatten)]
     pub input: PlaneArgs,
 
-    /// A point that a drop falls on; may be given several times
-    #[arg(long, value_name = "X,Y", allow_hyphen_values = true, value_parser = point,
-          conflicts_with = "catchments")]
-    pub at: Vec<[f64; 2]>,
-
-    /// A file with a point in each line: x and y, with commas, semicolons or spaces between
-    /// them. A first line without numbers is skipped
-    #[arg(long, value_name = "FILE", conflicts_with = "catchments")]
-    pub points: Option<PathBuf>,
+    #[command(flatten)]
+    pub points: PointArgs,
 
     /// What drains into each of these
-    #[arg(long, value_name = "OF")]
+    #[arg(long, value_name = "OF", conflicts_with_all = ["at", "points"])]
     pub catchments: Option<Drained>,
 
     #[command(flatten)]
@@ -178,17 +184,12 @@ pub struct QueryArgs {
     #[command(flatten)]
     pub input: PlaneArgs,
 
-    /// A point; may be given several times
-    #[arg(long, value_name = "X,Y", allow_hyphen_values = true, value_parser = point, conflicts_with = "grid")]
-    pub at: Vec<[f64; 2]>,
-
-    /// A file with a point in each line: x and y, with commas, semicolons or spaces between
-    /// them. A first line without numbers is skipped
-    #[arg(long, value_name = "FILE", conflicts_with = "grid")]
-    pub points: Option<PathBuf>,
+    #[command(flatten)]
+    pub points: PointArgs,
 
     /// The centres of square cells with this side
-    #[arg(long, value_name = "SIDE", allow_hyphen_values = true, value_parser = positive)]
+    #[arg(long, value_name = "SIDE", allow_hyphen_values = true, value_parser = positive,
+          conflicts_with_all = ["at", "points"])]
     pub grid: Option<f64>,
 
     #[command(flatten)]

@@ -6,7 +6,7 @@ use hipline::{
 };
 use hipline_io::{
     FeatureName,
-    write::{Layers, OffsetLine, Picture, Window, centreline_geojson, centreline_wkt},
+    write::{OffsetLine, Picture, Window, centreline_geojson, centreline_wkt},
 };
 
 use crate::{
@@ -89,7 +89,7 @@ fn write(
         Wkt => target.write(|w| {
             lines().try_for_each(|(_, lines)| centreline_wkt(&mut *w, lines, args.measure.into()))
         }),
-        _ => target.picture(&picture(computed, args), args.size.size),
+        _ => target.picture(&picture(computed, args), args.look.size.size),
     }
 }
 
@@ -116,13 +116,7 @@ fn picture<'a>(computed: &'a [Computed<Lines>], args: &CentrelineArgs) -> Pictur
     {
         picture.window(window.enlarged(MARGIN));
     }
-    picture.layers(Layers {
-        faces: args.skeleton,
-        arcs: args.skeleton,
-        ghosts: args.skeleton,
-        nodes: false,
-        ..Layers::default()
-    });
+    picture.layers(args.look.layers());
     picture
 }
 

@@ -1,13 +1,11 @@
 //! Points from the command line and from files.
 
-use std::path::Path;
-
-use crate::{failure::Failure, input};
+use crate::{args::PointArgs, failure::Failure, input};
 
 /// The points on the command line, then those of a file.
-pub fn all(at: &[[f64; 2]], file: Option<&Path>) -> Result<Vec<[f64; 2]>, Failure> {
-    let mut points = at.to_vec();
-    if let Some(path) = file {
+pub fn all(args: &PointArgs) -> Result<Vec<[f64; 2]>, Failure> {
+    let mut points = args.at.clone();
+    if let Some(path) = &args.points {
         let bytes = input::bytes(path)?;
         let name = input::name(path);
         let text = std::str::from_utf8(&bytes)

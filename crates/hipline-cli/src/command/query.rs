@@ -22,7 +22,7 @@ type Row = ([f64; 2], Result<Answer, NoAnswer>);
 
 pub fn run(args: &QueryArgs) -> Result<Outcome, Failure> {
     let targets = output::targets(&args.output, Csv, &FORMATS)?;
-    let points = points::all(&args.at, args.points.as_deref())?;
+    let points = points::all(&args.points)?;
     let mut scene = Scene::load(&args.input, &args.compute, args.surface.slope)?;
     let index = Index::new(scene.skeleton(), &scene.figure);
     let rows: Vec<Row> = if let Some(cell) = args.grid {
@@ -42,8 +42,8 @@ pub fn run(args: &QueryArgs) -> Result<Outcome, Failure> {
     for target in &targets {
         target.write(|w| match target.format {
             Json => json(w, &rows, &features, args),
-            Tsv => table(w, &rows, &features, args, '\t'),
-            _ => table(w, &rows, &features, args, ','),
+            Tsv => table(w, &rows, &features, args, "\t"),
+            _ => table(w, &rows, &features, args, ","),
         })?;
     }
     scene.finish(args.compute.stats);
@@ -58,35 +58,47 @@ pub fn run(args: &QueryArgs) -> Result<Outcome, Failure> {
     Ok(outcome)
 }
 
+/// What is told of a point that is covered.
+const COLUMNS: [&str; 8] = [
+    "height",
+    "face",
+    "edge",
+    "side",
+    "feature",
+    "part",
+    "ring",
+    "source_edge",
+];
+
+/// The values of the columns.
+fn values(a: &Answer, features: &[usize], args: &QueryArgs) -> [String; COLUMNS.len()] {
+    [
+        args.surface.height(a.time).to_string(),
+        a.face.index().to_string(),
+        a.edge.index().to_string(),
+        scene::side(a.side).to_owned(),
+        features[a.source.part as usize].to_string(),
+        a.source.part.to_string(),
+        a.source.ring.to_string(),
+        a.source.edge.to_string(),
+    ]
+}
+
 fn table(
     w: &mut dyn Write,
     rows: &[Row],
     features: &[usize],
     args: &QueryArgs,
-    separator: char,
+    separator: &str,
 ) -> io::Result<()> {
     let s = separator;
-    writeln!(
-        w,
-        "x{s}y{s}height{s}face{s}edge{s}side{s}feature{s}part{s}ring{s}source_edge"
-    )?;
+    writeln!(w, "x{s}y{s}{}", COLUMNS.join(s))?;
     for ([x, y], answer) in rows {
-        write!(w, "{x}{s}{y}")?;
-        match answer {
-            Ok(a) => writeln!(
-                w,
-                "{s}{}{s}{}{s}{}{s}{}{s}{}{s}{}{s}{}{s}{}",
-                args.surface.height(a.time),
-                a.face.index(),
-                a.edge.index(),
-                scene::side(a.side),
-                features[a.source.part as usize],
-                a.source.part,
-                a.source.ring,
-                a.source.edge
-            )?,
-            Err(_) => writeln!(w, "{s}{s}{s}{s}{s}{s}{s}{s}")?,
-        }
+        let values = match answer {
+            Ok(a) => values(a, features, args),
+            Err(_) => Default::default(),
+        };
+        writeln!(w, "{x}{s}{y}{s}{}", values.join(s))?;
     }
     Ok(())
 }
@@ -94,26 +106,20 @@ fn table(
 fn json(w: &mut dyn Write, rows: &[Row], features: &[usize], args: &QueryArgs) -> io::Result<()> {
     w.write_all(b"[")?;
     for (i, ([x, y], answer)) in rows.iter().enumerate() {
-        write!(
-            w,
-            "{}{{\"x\":{x},\"y\":{y},",
-            if i == 0 { "\n" } else { ",\n" }
-        )?;
+        let start = if i == 0 { "\n" } else { ",\n" };
+        write!(w, "{start}{{\"x\":{x},\"y\":{y}")?;
         match answer {
-            Ok(a) => write!(
-                w,
-                "\"height\":{},\"face\":{},\"edge\":{},\"side\":\"{}\",\"feature\":{},\"part\":{},\"ring\":{},\"source_edge\":{}}}",
-                args.surface.height(a.time),
-                a.face.index(),
-                a.edge.index(),
-                scene::side(a.side),
-                features[a.source.part as usize],
-                a.source.part,
-                a.source.ring,
-                a.source.edge
-            )?,
-            Err(_) => w.write_all(b"\"height\":null}")?,
+            Ok(a) => {
+                for (name, value) in COLUMNS.iter().zip(values(a, features, args)) {
+                    match *name {
+                        "side" => write!(w, ",\"side\":\"{value}\"")?,
+                        _ => write!(w, ",\"{name}\":{value}")?,
+                    }
+                }
+            }
+            Err(_) => w.write_all(b",\"height\":null")?,
         }
+        w.write_all(b"}")?;
     }
     w.write_all(b"\n]\n")
 }

@@ -24,7 +24,7 @@ const FORMATS: [OutputFormat; 5] = [Geojson, Csv, Tsv, Svg, Png];
 
 pub fn run(args: &RainArgs) -> Result<Outcome, Failure> {
     let targets = output::targets(&args.output, Geojson, &FORMATS)?;
-    let points = points::all(&args.at, args.points.as_deref())?;
+    let points = points::all(&args.points)?;
     let mut scene = Scene::load(&args.input, &args.compute, args.surface.slope)?;
     let outcome = match args.catchments {
         Some(of) => catchments(args, &targets, &scene, of)?,

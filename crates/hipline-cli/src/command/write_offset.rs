@@ -9,7 +9,7 @@ use hipline::{
 };
 use hipline_io::{
     FeatureName,
-    write::{Layers, OffsetLine, Picture, Window},
+    write::{OffsetLine, Picture, Window},
 };
 
 use super::offset::Offsets;
@@ -31,7 +31,7 @@ pub fn write(
     match target.format {
         OutputFormat::Geojson => target.write(|w| geojson(w, computed, args.edges)),
         OutputFormat::Wkt => target.write(|w| wkt(w, computed)),
-        _ => target.picture(&picture(computed, args), args.size.size),
+        _ => target.picture(&picture(computed, args), args.look.size.size),
     }
 }
 
@@ -57,18 +57,12 @@ fn picture<'a>(computed: &'a [Computed<Offsets>], args: &OffsetArgs) -> Picture<
             }
         }
     }
-    if !args.skeleton
+    if !args.look.skeleton
         && let Some(window) = Window::around(seen(computed))
     {
         picture.window(window.enlarged(MARGIN));
     }
-    picture.layers(Layers {
-        faces: args.skeleton,
-        arcs: args.skeleton,
-        ghosts: args.skeleton,
-        nodes: false,
-        ..Layers::default()
-    });
+    picture.layers(args.look.layers());
     picture
 }
 

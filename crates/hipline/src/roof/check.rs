@@ -149,19 +149,7 @@ impl Mesh {
     }
 
     fn check_fans(&self, table: &HalfEdges) -> Result<(), MeshFlaw> {
-        let corner = |t: usize, v: u32| {
-            let k = self.triangles[t].iter().position(|&w| w == v);
-            3 * t + k.expect("a corner of its triangle")
-        };
-        let mut sets = Sets::new(3 * self.triangles.len());
-        for (t, triangle) in self.triangles.iter().enumerate() {
-            for [a, b] in edges(triangle) {
-                if let Some(other) = table.cycle([b, a]) {
-                    sets.join(corner(t, a), corner(other, a));
-                    sets.join(corner(t, b), corner(other, b));
-                }
-            }
-        }
+        let mut sets = table.fans(&self.triangles);
         let mut fans = vec![0_usize; self.vertices.len()];
         for i in 0..3 * self.triangles.len() {
             if sets.root(i) == i {

@@ -3,6 +3,7 @@
 //! No coordinate is read.
 
 use super::mesh::edges;
+use crate::topology::Sets;
 
 /// A directed edge, with the cycle that it belongs to.
 #[derive(Debug, Clone, Copy)]
@@ -52,6 +53,25 @@ impl HalfEdges {
     /// The cycle with this directed edge.
     pub fn cycle(&self, edge: [u32; 2]) -> Option<usize> {
         Some(self.0[self.position(edge)?].cycle as usize)
+    }
+
+    /// The corners of triangles, three each, joined where triangles around a vertex hang together.
+    /// The cycles are these triangles.
+    pub fn fans(&self, triangles: &[[u32; 3]]) -> Sets {
+        let corner = |t: usize, v: u32| {
+            let k = triangles[t].iter().position(|&w| w == v);
+            3 * t + k.expect("a corner of its triangle")
+        };
+        let mut fans = Sets::new(3 * triangles.len());
+        for (t, triangle) in triangles.iter().enumerate() {
+            for [a, b] in edges(triangle) {
+                if let Some(other) = self.cycle([b, a]) {
+                    fans.join(corner(t, a), corner(other, a));
+                    fans.join(corner(t, b), corner(other, b));
+                }
+            }
+        }
+        fans
     }
 
     /// Two cycles that share a directed edge, if there are any: then this is no surface.

@@ -9,7 +9,6 @@ use super::{
     mesh::{Mesh, Surface, edges},
     region::{self, Part, parts},
 };
-use crate::topology::Sets;
 use crate::{input::Figure, topology::EdgeId};
 
 /// What to add to a roof.
@@ -307,28 +306,13 @@ impl Mesh {
     ///
     /// Only where a footprint touches itself is there anything to do.
     pub(super) fn split_fans(&mut self) {
-        let corners = |t: usize| &self.triangles[t];
         let all = self
             .triangles
             .iter()
             .enumerate()
             .map(|(t, tri)| (t as u32, &tri[..]));
         let table = HalfEdges::new(all);
-        let corner = |t: usize, v: u32| {
-            3 * t
-                + (0..3)
-                    .find(|&k| corners(t)[k] == v)
-                    .expect("a corner of its triangle")
-        };
-        let mut sets = Sets::new(3 * self.triangles.len());
-        for (t, triangle) in self.triangles.iter().enumerate() {
-            for [a, b] in edges(triangle) {
-                if let Some(other) = table.cycle([b, a]) {
-                    sets.join(corner(t, a), corner(other, a));
-                    sets.join(corner(t, b), corner(other, b));
-                }
-            }
-        }
+        let mut sets = table.fans(&self.triangles);
         // The first fan around a vertex keeps it.
         let mut owner = vec![usize::MAX; self.vertices.len()];
         let mut names = vec![u32::MAX; 3 * self.triangles.len()];

@@ -1,7 +1,7 @@
 //! Sets of numbers that are joined step by step.
 
 /// Disjoint sets of the numbers below a count (union-find, halving paths).
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Default)]
 pub(crate) struct Sets(Vec<u32>);
 
 impl Sets {
@@ -9,6 +9,17 @@ impl Sets {
     pub(crate) fn new(count: usize) -> Self {
         let count = u32::try_from(count).expect("more than 2^32 elements");
         Self((0..count).collect())
+    }
+
+    /// No numbers yet, with room for some.
+    pub(crate) fn with_capacity(count: usize) -> Self {
+        Self(Vec::with_capacity(count))
+    }
+
+    /// Adds the next number, by itself.
+    pub(crate) fn push(&mut self) {
+        let next = u32::try_from(self.0.len()).expect("more than 2^32 elements");
+        self.0.push(next);
     }
 
     /// The smallest number of a set.

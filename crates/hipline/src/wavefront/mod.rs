@@ -8,7 +8,7 @@
 //! and each change of the wavefront links two such walks. The faces need no other record.
 
 use crate::predicates::PlaneId;
-use crate::topology::{TraceId, WaveId};
+use crate::topology::{Sets, TraceId, WaveId};
 use hipline_num::Sign;
 use std::collections::BTreeMap;
 
@@ -97,12 +97,12 @@ pub(crate) struct Wavefront {
     pub vertices: u32,
     /// Nodes with time above zero.
     pub events: Vec<EventNode>,
-    /// The node that each event node was found to be.
-    same: Vec<u32>,
+    /// Event nodes that were found to be one.
+    same: Sets,
     /// For each face, the walk after its base.
     pub after_base: Vec<Walk>,
-    /// For each face, the one whose plane it was found to share.
-    joint: Vec<u32>,
+    /// Faces that were found to share a plane.
+    joint: Sets,
     /// The number of faces that start at edges and terminals. The others start at creases.
     pub bases: u32,
     /// Where the others start, in order.
@@ -111,24 +111,15 @@ pub(crate) struct Wavefront {
     pub late: BTreeMap<u32, PlaneId>,
 }
 
-fn root(parents: &mut [u32], mut i: u32) -> u32 {
-    while parents[i as usize] != i {
-        let grandparent = parents[parents[i as usize] as usize];
-        parents[i as usize] = grandparent;
-        i = grandparent;
-    }
-    i
-}
-
 impl Wavefront {
     pub(crate) fn new(vertices: usize, faces: usize) -> Self {
         Self {
             // About as many nodes as vertices.
             events: Vec::with_capacity(vertices),
-            same: Vec::with_capacity(vertices),
+            same: Sets::with_capacity(vertices),
             vertices: vertices as u32,
             after_base: vec![Walk::Open; faces],
-            joint: (0..faces as u32).collect(),
+            joint: Sets::new(faces),
             bases: faces as u32,
             ..Self::default()
         }
@@ -156,7 +147,7 @@ impl Wavefront {
         let face = self.after_base.len() as u32;
         self.starts.push(start);
         self.after_base.push(Walk::Open);
-        self.joint.push(face);
+        self.joint.push();
         face
     }
 
@@ -177,8 +168,8 @@ impl Wavefront {
     /// Adds an event node.
     pub(crate) fn push_node(&mut self, node: EventNode) -> u32 {
         self.events.push(node);
-        self.same.push(self.same.len() as u32);
-        self.vertices + self.same.len() as u32 - 1
+        self.same.push();
+        self.vertices + self.events.len() as u32 - 1
     }
 
     /// The representative of a node.
@@ -186,7 +177,7 @@ impl Wavefront {
         if node < self.vertices {
             node
         } else {
-            self.vertices + root(&mut self.same, node - self.vertices)
+            self.vertices + self.same.root((node - self.vertices) as usize) as u32
         }
     }
 
@@ -199,20 +190,20 @@ impl Wavefront {
                 low >= self.vertices,
                 "nodes {low} and {high} are not at one time"
             );
-            self.same[(high - self.vertices) as usize] = low - self.vertices;
+            let [low, high] = [low, high].map(|node| (node - self.vertices) as usize);
+            self.same.join(low, high);
         }
         low
     }
 
     /// The representative of the faces that share a plane with this one and touch it.
     pub(crate) fn joint_face(&mut self, face: u32) -> u32 {
-        root(&mut self.joint, face)
+        self.joint.root(face as usize) as u32
     }
 
     /// Two faces on one plane have met.
     pub(crate) fn join_faces(&mut self, a: u32, b: u32) {
-        let (a, b) = (self.joint_face(a), self.joint_face(b));
-        self.joint[a.max(b) as usize] = a.min(b);
+        self.joint.join(a as usize, b as usize);
     }
 
     /// A wavefront edge ends at `new` instead of `old`, at one place.

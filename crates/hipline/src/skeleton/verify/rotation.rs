@@ -4,32 +4,9 @@ use super::{Checker, Violation, dart};
 use crate::{
     predicates::Heading,
     skeleton::{Face, NodeKind, Region, Side},
-    topology::{NodeId, VertexId},
+    topology::{NodeId, Sets, VertexId},
 };
 use std::cmp::Ordering;
-
-/// Sets that are merged.
-struct Sets(Vec<u32>);
-
-impl Sets {
-    fn new(n: usize) -> Self {
-        Self((0..n as u32).collect())
-    }
-
-    fn root(&mut self, i: usize) -> usize {
-        let mut i = i as u32;
-        while self.0[i as usize] != i {
-            self.0[i as usize] = self.0[self.0[i as usize] as usize];
-            i = self.0[i as usize];
-        }
-        i as usize
-    }
-
-    fn merge(&mut self, i: usize, j: usize) {
-        let [i, j] = [self.root(i), self.root(j)];
-        self.0[i] = j as u32;
-    }
-}
 
 /// What one turn around a node finds.
 #[derive(Default)]
@@ -202,7 +179,7 @@ impl Checker<'_> {
         for [i, j] in ends.chain(bases.map(|(_, ends)| ends.map(VertexId::index))) {
             lines += 1;
             (used[i], used[j]) = (true, true);
-            sets.merge(i, j);
+            sets.join(i, j);
         }
         let nodes = used.iter().filter(|&&is| is).count();
         let parts = (0..=infinity)
@@ -245,7 +222,7 @@ impl Checker<'_> {
             Region::Interior if edges_at.iter().all(|list| list.len() == 2) => {
                 let mut rings = Sets::new(s.input.vertices);
                 for ends in &s.input.edges {
-                    rings.merge(ends[0].index(), ends[1].index());
+                    rings.join(ends[0].index(), ends[1].index());
                 }
                 let rings = (0..s.input.vertices)
                     .filter(|&i| rings.root(i) == i)
