@@ -161,6 +161,32 @@ impl<I: Integer> Fixed<I> {
         }
     }
 
+    /// A sum of integers times roots by their numbers; 0 is the root of one.
+    #[must_use]
+    pub fn sum_of_roots<const N: usize>(
+        parts: [(Option<I>, u32); N],
+        radicals: &Rc<Radicals>,
+    ) -> Self {
+        let mut sum = Sum {
+            rational: I::ZERO,
+            terms: Terms::<I>::new(),
+        };
+        for (coefficient, root) in parts {
+            let Some(coefficient) = coefficient else {
+                return Self::from_integer(None);
+            };
+            if !coefficient.sign().is_zero()
+                && sum.add(u128::from(root) << 96, coefficient).is_none()
+            {
+                return Self::from_integer(None);
+            }
+        }
+        Self {
+            radicals: (!sum.terms.is_empty()).then(|| Rc::clone(radicals)),
+            sum: Some(sum),
+        }
+    }
+
     /// The result of an operation on two numbers.
     fn of(&self, o: &Self, sum: Option<Sum<I>>) -> Self {
         let radicals = match &sum {
@@ -257,6 +283,12 @@ impl<I: Integer> Fixed<I> {
         let (a, b) = (self.sum.as_ref()?, o.sum.as_ref()?);
         let join = |x: &I, y: &I| if subtract { x.minus(y) } else { x.plus(y) };
         let rational = join(&a.rational, &b.rational)?;
+        if b.terms.is_empty() && a.terms.is_empty() {
+            return Some(Sum {
+                rational,
+                terms: Terms::<I>::new(),
+            });
+        }
         if b.terms.is_empty() {
             return Some(Sum {
                 rational,
@@ -305,6 +337,9 @@ impl<I: Integer> Fixed<I> {
             rational: a.rational.times(&b.rational)?,
             terms: Terms::<I>::new(),
         };
+        if a.terms.is_empty() && b.terms.is_empty() {
+            return Some(product);
+        }
         for (x, y) in [(a, b), (b, a)] {
             if x.rational.sign().is_zero() {
                 continue;
@@ -419,7 +454,22 @@ impl<I: Integer> Number for Fixed<I> {
         self.of(o, self.multiplied(o))
     }
     fn negated(&self) -> Self {
-        Self::zero().minus(self)
+        let negated = |sum: &Sum<I>| {
+            let mut terms = Terms::<I>::new();
+            for term in &sum.terms {
+                terms.push(Term {
+                    product: term.product,
+                    coefficient: term.coefficient.negated()?,
+                });
+            }
+            let rational = sum.rational.negated()?;
+            Some(Sum { rational, terms })
+        };
+        let sum = self.sum.as_ref().and_then(negated);
+        Self {
+            radicals: self.radicals.clone(),
+            sum,
+        }
     }
     fn sign(&self) -> Option<Sign> {
         let Sum { rational, terms } = self.sum.as_ref()?;

@@ -41,7 +41,7 @@ pub use ball_dd::BallDd;
 pub use dyadic::{f64_to_parts, ilog2};
 pub use fixed::{Fixed, Radicals};
 pub use length::{Segment, compare_lengths, distance, exponent_above, hypot};
-pub use limbs::{Integer, Limbs};
+pub use limbs::{Digits, Integer, Limbs, Short};
 pub use number::Number;
 pub use rough::Rough;
 pub use rounding::{

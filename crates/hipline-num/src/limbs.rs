@@ -1,17 +1,15 @@
 //! Integers of a fixed width, for the rung of [`Fixed`](crate::Fixed): they never allocate, and
 //! say so where a result does not fit.
 //!
-//! Two kinds: `i128`, which serves grids, and [`Limbs`] with up to 1024 binary digits, which serves
-//! most figures whose coordinates use all digits of an f64. Libraries of fixed width
+//! Three kinds: `i128`, which serves grids; [`Short`] with up to 448 binary digits, which serves most
+//! questions about figures whose coordinates use all digits of an f64; and [`Limbs`] with up to 1024.
+//! Libraries of fixed width
 //! take the time of the full width for every operation; here only the digits in use are touched,
-//! and most factors have two or three.
+//! and most factors have two or three. What counts is moving them: a short one is 64 bytes.
 
 use crate::fixed::Term;
 use crate::{BallDd, Number, Sign};
 use dashu_int::{IBig, Word};
-
-/// Machine words in [`Limbs`].
-const WIDTH: usize = 16;
 
 /// An integer of bounded size: `None` means that a result may not fit.
 pub trait Integer: Sized + Clone + std::fmt::Debug {
@@ -119,16 +117,22 @@ fn near(digits: &[u64]) -> BallDd {
     .ldexp(64 * rest as i32)
 }
 
-/// An integer with up to 1024 binary digits: sign and size. Digits not in use are zero.
+/// An integer of up to so many digits to the base 2^64: sign and size. Digits not in use are zero.
 #[derive(Clone, Copy, PartialEq, Eq)]
-pub struct Limbs {
-    negative: bool,
-    /// So many digits are in use, the last of them not zero.
-    len: usize,
+pub struct Digits<const WIDTH: usize> {
     digits: [u64; WIDTH],
+    /// So many digits are in use, the last of them not zero.
+    len: u8,
+    negative: bool,
 }
 
-impl std::fmt::Debug for Limbs {
+/// An integer with up to 448 binary digits.
+pub type Short = Digits<7>;
+
+/// An integer with up to 1024 binary digits.
+pub type Limbs = Digits<16>;
+
+impl<const WIDTH: usize> std::fmt::Debug for Digits<WIDTH> {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         write!(
             f,
@@ -139,7 +143,7 @@ impl std::fmt::Debug for Limbs {
     }
 }
 
-impl Limbs {
+impl<const WIDTH: usize> Digits<WIDTH> {
     fn of_i128(i: i128) -> Self {
         let size = i.unsigned_abs();
         let mut result = Self::ZERO;
@@ -161,8 +165,9 @@ impl Limbs {
     /// Without the last `count` digits, rounded towards zero.
     pub(crate) fn without(&self, count: usize) -> Self {
         let mut result = Self::ZERO;
-        result.len = self.len.saturating_sub(count);
-        result.digits[..result.len].copy_from_slice(&self.digits[self.len - result.len..self.len]);
+        let kept = self.used().get(count..).unwrap_or_default();
+        result.digits[..kept.len()].copy_from_slice(kept);
+        result.len = kept.len() as u8;
         result.negative = self.negative && result.len > 0;
         result
     }
@@ -172,23 +177,34 @@ impl Limbs {
         if self.len == 0 {
             return Some(*self);
         }
-        if self.len + count > WIDTH {
-            return None;
-        }
+        let len = self.used().len() + count;
         let mut result = Self::ZERO;
-        result.len = self.len + count;
-        result.digits[count..result.len].copy_from_slice(self.used());
+        result
+            .digits
+            .get_mut(count..len)?
+            .copy_from_slice(self.used());
+        result.len = len as u8;
         result.negative = self.negative;
         Some(result)
     }
 
+    #[inline]
     fn used(&self) -> &[u64] {
-        &self.digits[..self.len]
+        &self.digits[..usize::from(self.len)]
+    }
+
+    /// The same value with more room.
+    fn widened<const WIDER: usize>(&self) -> Digits<WIDER> {
+        let mut result = Digits::ZERO;
+        result.digits[..usize::from(self.len)].copy_from_slice(self.used());
+        result.len = self.len;
+        result.negative = self.negative;
+        result
     }
 
     /// Drops leading zeros.
     fn trimmed(mut self) -> Self {
-        while self.len > 0 && self.digits[self.len - 1] == 0 {
+        while self.len > 0 && self.digits[usize::from(self.len) - 1] == 0 {
             self.len -= 1;
         }
         self.negative &= self.len > 0;
@@ -211,18 +227,19 @@ impl Limbs {
         let mut sum = *long;
         sum.negative = self.negative;
         let mut carry = false;
-        for (i, digit) in sum.digits[..long.len].iter_mut().enumerate() {
-            if i >= short.len && !carry {
+        let [length, least] = [long, short].map(|x| usize::from(x.len));
+        for (i, digit) in sum.digits[..length].iter_mut().enumerate() {
+            if i >= least && !carry {
                 break;
             }
-            let other = if i < short.len { short.digits[i] } else { 0 };
+            let other = if i < least { short.digits[i] } else { 0 };
             let (x, a) = digit.overflowing_add(other);
             let (x, b) = x.overflowing_add(u64::from(carry));
             *digit = x;
             carry = a | b;
         }
         if carry {
-            *sum.digits.get_mut(long.len)? = 1;
+            *sum.digits.get_mut(length)? = 1;
             sum.len = long.len + 1;
         }
         Some(sum)
@@ -233,11 +250,12 @@ impl Limbs {
         let mut difference = *self;
         difference.negative = negative;
         let mut borrow = false;
-        for (i, digit) in difference.digits[..self.len].iter_mut().enumerate() {
-            if i >= o.len && !borrow {
+        let [length, least] = [self, o].map(|x| usize::from(x.len));
+        for (i, digit) in difference.digits[..length].iter_mut().enumerate() {
+            if i >= least && !borrow {
                 break;
             }
-            let other = if i < o.len { o.digits[i] } else { 0 };
+            let other = if i < least { o.digits[i] } else { 0 };
             let (x, a) = digit.overflowing_sub(other);
             let (x, b) = x.overflowing_sub(u64::from(borrow));
             *digit = x;
@@ -258,12 +276,12 @@ impl Limbs {
     }
 }
 
-impl Integer for Limbs {
-    type Terms = [Term<Self>; 0];
+impl<const WIDTH: usize> Integer for Digits<WIDTH> {
+    type Terms = [Term<Self>; 3];
     const ZERO: Self = Self {
-        negative: false,
-        len: 0,
         digits: [0; WIDTH],
+        len: 0,
+        negative: false,
     };
     fn from_i128(i: i128) -> Option<Self> {
         Some(Self::of_i128(i))
@@ -280,7 +298,7 @@ impl Integer for Limbs {
             let word = u64::from(word);
             result.digits[k * step / 64] |= word << (k * step % 64);
         }
-        result.len = WIDTH;
+        result.len = WIDTH as u8;
         result.negative = sign == dashu_int::Sign::Negative;
         Some(result.trimmed())
     }
@@ -303,14 +321,14 @@ impl Integer for Limbs {
         self.sum(o, true)
     }
     /// Does not fit if the factors have more digits together than there is room for: then the
-    /// product has at least 961 binary digits.
+    /// product fills all of them but one at least.
     fn times(&self, o: &Self) -> Option<Self> {
-        let len = self.len + o.len;
-        if len > WIDTH {
+        let width = usize::from(o.len);
+        if usize::from(self.len) + width > WIDTH {
             return None;
         }
         let mut product = Self::ZERO;
-        product.len = len;
+        product.len = self.len + o.len;
         product.negative = self.negative != o.negative;
         for (i, &a) in self.used().iter().enumerate() {
             let mut carry = 0;
@@ -320,7 +338,7 @@ impl Integer for Limbs {
                 *digit = wide as u64;
                 carry = (wide >> 64) as u64;
             }
-            product.digits[i + o.len] = carry;
+            product.digits[i + width] = carry;
         }
         Some(product.trimmed())
     }
@@ -340,7 +358,7 @@ impl Integer for Limbs {
     fn bit_len(&self) -> u32 {
         self.used()
             .last()
-            .map_or(0, |top| 64 * self.len as u32 - top.leading_zeros())
+            .map_or(0, |top| 64 * u32::from(self.len) - top.leading_zeros())
     }
     fn to_ball_dd(&self) -> BallDd {
         let value = near(self.used());
@@ -351,6 +369,6 @@ impl Integer for Limbs {
         }
     }
     fn to_limbs(&self) -> Limbs {
-        *self
+        self.widened()
     }
 }

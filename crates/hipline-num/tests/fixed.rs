@@ -5,7 +5,7 @@ mod common;
 use common::Random;
 use dashu_int::ops::BitTest as _;
 use hipline_num::{
-    Fixed, IBig, Integer, Limbs, Number, Radicals, Sign, Surd, UBig, round_fixed_plus,
+    Fixed, IBig, Integer, Limbs, Number, Radicals, Short, Sign, Surd, UBig, round_fixed_plus,
     round_quotient_plus,
 };
 use std::rc::Rc;
@@ -91,6 +91,11 @@ fn operations_on_machine_integers_agree() {
 #[test]
 fn operations_on_limbs_agree() {
     operations_agree::<Limbs>(1024, 1024);
+}
+
+#[test]
+fn operations_on_short_integers_agree() {
+    operations_agree::<Short>(448, 448);
 }
 
 /// The same random expression in both kinds of exact numbers.
@@ -186,6 +191,49 @@ fn signs_in_limbs_are_right() {
     for bits in [10, 60, 110, 300] {
         signs_agree::<Limbs>(bits, 400);
     }
+}
+
+#[test]
+fn signs_in_short_integers_are_right() {
+    for bits in [10, 60] {
+        signs_agree::<Short>(bits, 400);
+    }
+}
+
+/// A sum of roots is the sum of its parts, and unknown if one of them is.
+#[test]
+fn sums_of_roots_are_sums() {
+    println!("seed {SEED:#x}");
+    let random = &mut Random(SEED);
+    let radicals = Rc::new(Radicals::default());
+    let numbers: Vec<u32> = [2_u32, 3, 5, 7]
+        .map(|root| radicals.number(UBig::from(root)))
+        .to_vec();
+    for _ in 0..2_000 {
+        let mut part = || {
+            let root = random.below(5) as usize;
+            let root = if root == 4 { 0 } else { numbers[root] };
+            (Short::from_int(&integer(random, 8)), root)
+        };
+        let parts = [part(), part(), part()];
+        let one_by_one = parts.iter().fold(Fixed::zero(), |sum, &(i, root)| {
+            let part = if root == 0 {
+                Fixed::from_integer(i)
+            } else {
+                Fixed::from_integer(i).times(&Fixed::scaled_root(
+                    Short::from_i128(1),
+                    root,
+                    &radicals,
+                ))
+            };
+            sum.plus(&part)
+        });
+        let sum = Fixed::sum_of_roots(parts, &radicals);
+        assert!(sum.minus(&one_by_one).is_zero(), "{parts:?}");
+        assert_eq!(sum.sign(), one_by_one.sign());
+    }
+    let unknown = Fixed::sum_of_roots([(Some(Short::ZERO), 0), (None, numbers[0])], &radicals);
+    assert_eq!(unknown.sign(), None);
 }
 
 #[test]

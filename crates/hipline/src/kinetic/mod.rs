@@ -155,7 +155,7 @@ impl Kinetic<'_> {
     fn propagate(&mut self) {
         self.start();
         loop {
-            let first = self.queue.peek();
+            let first = self.first();
             if let Some((moment, bounds)) = self.change_before(first) {
                 self.begin_change(moment, bounds);
                 self.resolve_batch();
@@ -182,7 +182,7 @@ impl Kinetic<'_> {
         let bounds = self.queue.bounds(first).expect("the triangle is queued");
         self.bounds = bounds;
         self.take(first);
-        while let Some(t) = self.queue.peek() {
+        while let Some(t) = self.first() {
             let other = self.queue.bounds(t).expect("the triangle is queued");
             let moment = self.agenda.moment(t);
             let order = bounds
@@ -204,7 +204,7 @@ impl Kinetic<'_> {
         self.batch.first_node = self.front.vertices + self.front.events.len() as u32;
         self.now = moment;
         self.bounds = bounds;
-        while let Some(t) = self.queue.peek() {
+        while let Some(t) = self.first() {
             let other = self.queue.bounds(t).expect("the triangle is queued");
             let order = bounds
                 .compare(other)
@@ -214,6 +214,17 @@ impl Kinetic<'_> {
             }
             self.take(t);
         }
+    }
+
+    /// A triangle that collapses next.
+    fn first(&mut self) -> Option<TriangleId> {
+        let Self {
+            queue,
+            planes,
+            agenda,
+            ..
+        } = self;
+        queue.peek(&|a, b| agenda.compare(planes, a, b))
     }
 
     fn take(&mut self, t: TriangleId) {

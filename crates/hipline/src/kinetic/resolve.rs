@@ -44,6 +44,8 @@ fn is_root_of(moment: Option<Moment>, corners: [Corner; 3]) -> bool {
 impl Kinetic<'_> {
     /// Resolves what was collected for this moment.
     pub(super) fn resolve_batch(&mut self) {
+        // Whatever the order in which the queue gave them.
+        self.batch.work.sort_unstable();
         while let Some(t) = self.batch.work.pop() {
             if !self.triangulation.is_alive(t) {
                 continue;

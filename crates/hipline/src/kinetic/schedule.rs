@@ -1,7 +1,7 @@
 //! When does a triangle collapse next?
 
 use std::{
-    cell::{Cell, RefCell},
+    cell::{Cell, LazyCell, RefCell},
     cmp::Ordering,
     collections::BTreeMap,
 };
@@ -30,12 +30,21 @@ pub(super) fn meeting_moment(planes: &Planes, u: &Trace, v: &Trace) -> Option<[P
         .find(|&triple| !u.pair.contains(&triple[2]) && planes.do_meet(triple))
 }
 
+/// A moment in double-double.
+#[derive(Clone, Copy, Debug)]
+enum Fine {
+    Unknown,
+    First(BallDd),
+    /// As close as it gets.
+    Last(BallDd),
+}
+
 /// The moments of the queued triangles, with what has been found out about their order.
 #[derive(Debug, Default)]
 pub(super) struct Agenda {
     moments: Vec<Moment>,
     /// The moments in double-double, found when first asked for.
-    fine: Vec<Cell<Option<BallDd>>>,
+    fine: Vec<Cell<Fine>>,
     /// Moments with one root of this forest are known to be equal.
     class: Vec<Cell<u32>>,
     parents: RefCell<Vec<u32>>,
@@ -47,7 +56,7 @@ impl Agenda {
     pub(super) fn new(triangles: usize) -> Self {
         Self {
             moments: vec![Moment::Start; triangles],
-            fine: vec![Cell::new(None); triangles],
+            fine: vec![Cell::new(Fine::Unknown); triangles],
             class: vec![Cell::new(NO_CLASS); triangles],
             parents: RefCell::default(),
             wide: RefCell::default(),
@@ -61,7 +70,7 @@ impl Agenda {
     pub(super) fn set(&mut self, t: TriangleId, moment: Moment) {
         let i = t.index();
         self.moments[i] = moment;
-        self.fine[i].set(None);
+        self.fine[i].set(Fine::Unknown);
         self.class[i].set(NO_CLASS);
         let wide = self.wide.get_mut();
         if !wide.is_empty() {
@@ -71,11 +80,29 @@ impl Agenda {
 
     fn fine(&self, planes: &Planes, t: TriangleId) -> BallDd {
         let cell = &self.fine[t.index()];
-        cell.get().unwrap_or_else(|| {
-            let value = planes.fine(&self.moments[t.index()]);
-            cell.set(Some(value));
-            value
-        })
+        match cell.get() {
+            Fine::First(value) | Fine::Last(value) => value,
+            Fine::Unknown => {
+                let value = planes.fine(&self.moments[t.index()]);
+                cell.set(Fine::First(value));
+                value
+            }
+        }
+    }
+
+    /// The same to the last digits of a double-double, if that is to be had.
+    fn finer(&self, planes: &Planes, t: TriangleId) -> BallDd {
+        let cell = &self.fine[t.index()];
+        if let Fine::Last(value) = cell.get() {
+            return value;
+        }
+        let value = match &self.moments[t.index()] {
+            Moment::Planes(triple) => planes.finer_meeting(*triple),
+            _ => None,
+        };
+        let value = value.unwrap_or_else(|| self.fine(planes, t));
+        cell.set(Fine::Last(value));
+        value
     }
 
     fn root(&self, t: TriangleId) -> u32 {
@@ -129,6 +156,10 @@ impl Agenda {
         let root = self.root(a);
         if root != NO_CLASS && root == self.root(b) {
             return Ordering::Equal;
+        }
+        let difference = self.finer(planes, a).minus(&self.finer(planes, b));
+        if let Some(sign) = difference.sign() {
+            return sign.ordering();
         }
         let [p, q] = [a, b].map(|t| &self.moments[t.index()]);
         let fixed = || planes.compare_fixed(p, q);
@@ -272,28 +303,28 @@ impl Kinetic<'_> {
             return None;
         }
         let corners = triangle.tips.map(|tip| corner(&self.front, tip));
-        let bounds = self.planes.falling_root(&self.now, corners)?;
         // The ends of a spoke may meet: an event of the wavefront, at a moment of three planes.
-        for k in 0..3 {
-            let (Some(u), Some(v)) = (traces[next(k)], traces[prev(k)]) else {
-                continue;
-            };
-            if !self.planes.paths_cross(u.pair, v.pair) {
-                continue;
-            }
-            let Some(triple) = meeting_moment(&self.planes, u, v) else {
-                continue;
-            };
+        let meetings = LazyCell::new(|| {
+            [0, 1, 2].map(|k| {
+                let (u, v) = (traces[next(k)]?, traces[prev(k)]?);
+                if !self.planes.paths_cross(u.pair, v.pair) {
+                    return None;
+                }
+                Some((u, v, meeting_moment(&self.planes, u, v)?))
+            })
+        });
+        let do_meet = || meetings.iter().any(Option::is_some);
+        let bounds = self.planes.falling_root(&self.now, corners, do_meet)?;
+        for (k, met) in meetings.iter().enumerate() {
+            let &Some((u, v, triple)) = met else { continue };
             let meeting = Moment::of_planes(triple);
             let order = self.planes.bounds(&meeting).compare(bounds);
             if order.is_some_and(Ordering::is_ne) {
                 continue;
             }
-            if self
-                .planes
-                .compare(&meeting, &Moment::Root(corners))
-                .is_eq()
-            {
+            // The area is zero then; if it does not rise, that is the root at which it falls.
+            let slope = (self.planes).slope_at_meeting(triple, u.pair, v.pair, corners[k]);
+            if slope != Sign::Positive {
                 return Some((meeting, self.planes.bounds(&meeting)));
             }
         }

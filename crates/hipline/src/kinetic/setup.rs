@@ -296,13 +296,7 @@ impl<'a> Kinetic<'a> {
                 queued.push((t, bounds));
             }
         }
-        let Self {
-            queue,
-            planes,
-            agenda,
-            ..
-        } = self;
-        queue.fill(queued.into_iter(), &|a, b| agenda.compare(planes, a, b));
+        self.queue.fill(queued.into_iter());
     }
 
     /// The plane of terminal or cap number `i`.

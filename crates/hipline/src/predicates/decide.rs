@@ -1,6 +1,6 @@
 //! The ladder: a question is asked of one kind of numbers after the other, until one answers.
 
-use hipline_num::{Ball, BallDd, Fixed, Integer, Limbs, Rough, Rungs, Sign, Surd, Wide};
+use hipline_num::{Ball, BallDd, Fixed, Integer, Limbs, Rough, Rungs, Short, Sign, Surd, Wide};
 
 use super::planes::{Planes, Rung};
 
@@ -52,7 +52,7 @@ impl Planes {
 
     /// The answer of exact numbers of a fixed width or of 400 digits, and whether it is the former's.
     fn ask_further<Q: Question>(&self, question: &Q) -> Option<(Sign, bool)> {
-        let fixed = || question.ask_fixed::<Limbs>(self).map(|sign| (sign, true));
+        let fixed = || self.ask_in_limbs(question).map(|sign| (sign, true));
         let wide = || question.ask::<Wide>(self).map(|sign| (sign, false));
         if question.is_steep() {
             wide().or_else(fixed)
@@ -76,11 +76,16 @@ impl Planes {
         }
     }
 
+    /// The answer in integers of 448 or 1024 binary digits, if they hold it.
+    fn ask_in_limbs<Q: Question>(&self, question: &Q) -> Option<Sign> {
+        (question.ask_fixed::<Short>(self)).or_else(|| question.ask_fixed::<Limbs>(self))
+    }
+
     /// The answer in exact numbers of a fixed width, if they hold it; it is counted.
     pub(super) fn decide_fixed<Q: Question>(&self, question: &Q) -> Option<Sign> {
         let sign = self
             .ask_on_grid(question)
-            .or_else(|| question.ask_fixed::<Limbs>(self))?;
+            .or_else(|| self.ask_in_limbs(question))?;
         let mut rungs = self.rungs.get();
         rungs.by_exact += 1;
         self.rungs.set(rungs);

@@ -13,7 +13,13 @@ pub(crate) fn minor<T: Rung>(i: &Plane<T>, j: &Plane<T>) -> T {
 /// `(N, D)` with `t = -N / D` the moment when three planes meet:
 /// `N = det [a b c]`, `D = det [a b s]`.
 #[inline]
-pub(crate) fn meeting<T: Rung>(planes: &Planes, [i, j, k]: [PlaneId; 3]) -> (T, T) {
+pub(crate) fn meeting<T: Rung>(planes: &Planes, triple: [PlaneId; 3]) -> (T, T) {
+    T::meeting(planes, triple)
+}
+
+/// [`meeting`], of whatever planes there are.
+#[inline]
+pub(super) fn any_meeting<T: Rung>(planes: &Planes, [i, j, k]: [PlaneId; 3]) -> (T, T) {
     let [i, j, k] = [
         T::plane(planes, i),
         T::plane(planes, j),

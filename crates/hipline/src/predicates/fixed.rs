@@ -5,14 +5,14 @@
 //! with coefficients. Figures of equal parts have few different lengths.
 
 use dashu_int::{IBig, UBig, ops::UnsignedAbs};
-use hipline_num::{Fixed, Integer, Radicals, perfect_root};
+use hipline_num::{BallDd, Fixed, Integer, Number, Radicals, Short, perfect_root};
 use std::cell::RefCell;
 use std::rc::Rc;
 
 use super::{
     eaves::{Tilted, tabled},
-    expression::Quadratic,
-    planes::{Line, Plane, Planes, Rung, exact_time},
+    expression::{Quadratic, any_meeting},
+    planes::{Line, Plane, PlaneId, Planes, Rung, exact_time},
 };
 
 /// A length: an integer, times a root unless the number is 0.
@@ -80,7 +80,79 @@ impl Lengths {
     }
 }
 
+/// `a x + b y = c + s √root t` in integers; the root of 0 is one.
+struct Bare<I> {
+    a: I,
+    b: I,
+    c: I,
+    s: I,
+    root: u32,
+}
+
+impl<I: Integer> Bare<I> {
+    /// `None` if something does not fit, or the plane is of a later phase.
+    fn new(planes: &Planes, id: PlaneId) -> Option<Self> {
+        let line = (id.0 >> 1) as usize;
+        if line >= planes.first_later {
+            return None;
+        }
+        let [a, b, c] = match &planes.lines[line] {
+            Line::Small { a, b, c } => [i128::from(*a), i128::from(*b), *c].map(I::from_i128),
+            Line::Big(abc) => abc.each_ref().map(I::from_int),
+            Line::Level(_) | Line::Tilted(_) => return None,
+        };
+        let Length { multiple, root } = planes.lengths.of(planes, line);
+        let mut s = I::from_i128(multiple?.into())?;
+        if let Some(speeds) = &planes.speeds {
+            s = s.times(&I::from_int(&speeds.exact[id.0 as usize])?)?;
+        }
+        let [a, b, c] = if id.0 & 1 == 0 {
+            [a?, b?, c?]
+        } else {
+            [a?.negated()?, b?.negated()?, c?.negated()?]
+        };
+        Some(Self { a, b, c, s, root })
+    }
+
+    fn minor(&self, o: &Self) -> Option<I> {
+        self.a.times(&o.b)?.minus(&o.a.times(&self.b)?)
+    }
+}
+
+/// `N` and `D` of three planes, in one go: neither products of roots nor sums of such are in them.
+fn met<I: Integer>(planes: &Planes, triple: [PlaneId; 3]) -> Option<(Fixed<I>, Fixed<I>)> {
+    let [i, j, k] = triple.map(|id| Bare::<I>::new(planes, id));
+    let (i, j, k) = (i?, j?, k?);
+    let (jk, ki, ij) = (j.minor(&k)?, k.minor(&i)?, i.minor(&j)?);
+    let n = (jk.times(&i.c)?)
+        .plus(&ki.times(&j.c)?)?
+        .plus(&ij.times(&k.c)?)?;
+    let parts = [
+        (jk.times(&i.s), i.root),
+        (ki.times(&j.s), j.root),
+        (ij.times(&k.s), k.root),
+    ];
+    Some((
+        Fixed::from_integer(Some(n)),
+        Fixed::sum_of_roots(parts, &planes.lengths.radicals),
+    ))
+}
+
+impl Planes {
+    /// The moment when three planes meet, to nearly all digits of a double-double, if integers
+    /// of 448 binary digits hold it.
+    pub(crate) fn finer_meeting(&self, triple: [PlaneId; 3]) -> Option<BallDd> {
+        let (n, d) = met::<Short>(self, triple)?;
+        let ((n, i), (d, j)) = (n.to_ball_dd()?, d.to_fine_ball_dd()?);
+        let unit = self.time_unit - self.rough_time_unit();
+        Some(n.negated().div(&d).ldexp(i - j + unit))
+    }
+}
+
 impl<I: Integer> Rung for Fixed<I> {
+    fn meeting(planes: &Planes, triple: [PlaneId; 3]) -> (Self, Self) {
+        met(planes, triple).unwrap_or_else(|| any_meeting(planes, triple))
+    }
     fn line(planes: &Planes, line: usize) -> [Self; 4] {
         let [a, b, c] = match &planes.lines[line] {
             Line::Small { a, b, c } => [i128::from(*a), i128::from(*b), *c].map(I::from_i128),

@@ -9,6 +9,7 @@ mod coplanar;
 mod decide;
 mod eaves;
 mod expression;
+mod fall;
 mod fixed;
 mod grid;
 mod heading;

@@ -561,19 +561,25 @@ impl Planes {
     }
 
     /// Bounds of the moment after `now` at which a triangle, of positive area now, becomes
-    /// flat, if it does.
-    pub(crate) fn falling_root(&self, now: &Moment, corners: [Corner; 3]) -> Option<Bounds> {
+    /// flat, if it does. Two of its corners may be known to meet at some time.
+    pub(crate) fn falling_root(
+        &self,
+        now: &Moment,
+        corners: [Corner; 3],
+        do_meet: impl FnOnce() -> bool,
+    ) -> Option<Bounds> {
         let g = area::<Rough>(self, corners);
-        let part = |part, rough: &Rough| {
-            rough
-                .sign()
-                .unwrap_or_else(|| self.sign_of(&Area(corners, part)))
-        };
+        let curvature = || self.sign_of(&Area(corners, Part::Curvature));
         let falls = || self.sign_at(now, &Area(corners, Part::Slope)).is_negative();
-        let exists = match part(Part::Curvature, &g[2]) {
+        // Where two corners meet there is a root.
+        let has_roots = || match discriminant(&g).sign() {
+            Some(sign) => !sign.is_negative(),
+            None => do_meet() || !(self.sign_of(&Area(corners, Part::Discriminant))).is_negative(),
+        };
+        let exists = match g[2].sign().unwrap_or_else(curvature) {
             Sign::Negative => true,
             Sign::Zero => falls(),
-            Sign::Positive => !part(Part::Discriminant, &discriminant(&g)).is_negative() && falls(),
+            Sign::Positive => has_roots() && falls(),
         };
         exists.then(|| self.bounds_of_root(corners, &g))
     }

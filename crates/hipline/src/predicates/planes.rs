@@ -18,7 +18,7 @@ use super::speeds;
 use super::{
     Terminal,
     eaves::{Tilted, tabled},
-    expression::{Corner, Quadratic, area, meeting},
+    expression::{Corner, Quadratic, any_meeting, area, meeting},
     fixed::Lengths,
     root::{ball_root, dd_root, wide_root},
     rough,
@@ -148,6 +148,12 @@ pub(crate) trait Rung: Number {
     /// The same of a triangle's area.
     fn flat_at(planes: &Planes, corners: [Corner; 3]) -> Option<Self> {
         Self::falling_root(&area(planes, corners))
+    }
+
+    /// `(N, D)` with `t = -N / D` the moment when three planes meet.
+    #[inline]
+    fn meeting(planes: &Planes, triple: [PlaneId; 3]) -> (Self, Self) {
+        any_meeting(planes, triple)
     }
 
     /// [`meeting`], of a moment of which several things are asked.
