@@ -6,7 +6,7 @@
 
 use std::time::Duration;
 
-use cpu_time::ThreadTime;
+use cpu_time::ProcessTime;
 use hipline::{Figure, FigureBuilder, Options, Region, Skeleton};
 use hipline_testkit::case::Case;
 use serde::{Deserialize, Serialize};
@@ -107,7 +107,7 @@ pub fn again(repetitions: u32, spent: f64) -> bool {
 
 /// The result of some work, and how many seconds it took.
 pub fn timed<T>(work: impl FnOnce() -> T) -> (T, f64) {
-    let start = ThreadTime::now();
+    let start = ProcessTime::now();
     let result = work();
     (
         result,

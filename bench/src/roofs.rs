@@ -5,7 +5,7 @@
 
 use std::path::Path;
 
-use cpu_time::ThreadTime;
+use cpu_time::ProcessTime;
 use hipline::{
     Figure, Options,
     roof::{InvalidRoof, RoofOptions},
@@ -80,7 +80,7 @@ pub fn run(data: &Path) -> Result<(), String> {
 /// The shortest time of several rounds, in seconds.
 fn best(round: impl Fn() -> usize) -> f64 {
     let times = (0..ROUNDS).map(|_| {
-        let start = ThreadTime::now();
+        let start = ProcessTime::now();
         std::hint::black_box(round());
         start.elapsed().as_secs_f64()
     });

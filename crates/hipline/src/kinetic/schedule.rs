@@ -1,7 +1,7 @@
 //! When does a triangle collapse next?
 
 use std::{
-    cell::{Cell, LazyCell, RefCell},
+    cell::{Cell, LazyCell, OnceCell, RefCell},
     cmp::Ordering,
     collections::BTreeMap,
 };
@@ -30,6 +30,23 @@ pub(super) fn meeting_moment(planes: &Planes, u: &Trace, v: &Trace) -> Option<[P
         .find(|&triple| !u.pair.contains(&triple[2]) && planes.do_meet(triple))
 }
 
+/// What is known of a moment besides its bounds.
+#[derive(Clone, Copy, Debug)]
+struct Closer {
+    fine: Fine,
+    /// Its place in the forest, if it has one.
+    class: u32,
+}
+
+impl Default for Closer {
+    fn default() -> Self {
+        Self {
+            fine: Fine::Unknown,
+            class: NO_CLASS,
+        }
+    }
+}
+
 /// A moment in double-double.
 #[derive(Clone, Copy, Debug)]
 enum Fine {
@@ -43,10 +60,9 @@ enum Fine {
 #[derive(Debug, Default)]
 pub(super) struct Agenda {
     moments: Vec<Moment>,
-    /// The moments in double-double, found when first asked for.
-    fine: Vec<Cell<Fine>>,
+    /// What is known besides, of figures in which bounds do not always decide.
+    closer: OnceCell<Vec<Cell<Closer>>>,
     /// Moments with one root of this forest are known to be equal.
-    class: Vec<Cell<u32>>,
     parents: RefCell<Vec<u32>>,
     /// The moments in 400 digits, found when first asked for.
     wide: RefCell<BTreeMap<TriangleId, Option<Wide>>>,
@@ -56,8 +72,7 @@ impl Agenda {
     pub(super) fn new(triangles: usize) -> Self {
         Self {
             moments: vec![Moment::Start; triangles],
-            fine: vec![Cell::new(Fine::Unknown); triangles],
-            class: vec![Cell::new(NO_CLASS); triangles],
+            closer: OnceCell::new(),
             parents: RefCell::default(),
             wide: RefCell::default(),
         }
@@ -70,21 +85,36 @@ impl Agenda {
     pub(super) fn set(&mut self, t: TriangleId, moment: Moment) {
         let i = t.index();
         self.moments[i] = moment;
-        self.fine[i].set(Fine::Unknown);
-        self.class[i].set(NO_CLASS);
+        if let Some(closer) = self.closer.get() {
+            closer[i].set(Closer::default());
+        }
         let wide = self.wide.get_mut();
         if !wide.is_empty() {
             wide.remove(&t);
         }
     }
 
+    fn cell(&self, t: TriangleId) -> &Cell<Closer> {
+        let all = || vec![Cell::new(Closer::default()); self.moments.len()];
+        &self.closer.get_or_init(all)[t.index()]
+    }
+
+    fn closer(&self, t: TriangleId) -> Closer {
+        self.cell(t).get()
+    }
+
+    fn change(&self, t: TriangleId, change: impl FnOnce(&mut Closer)) {
+        let mut closer = self.closer(t);
+        change(&mut closer);
+        self.cell(t).set(closer);
+    }
+
     fn fine(&self, planes: &Planes, t: TriangleId) -> BallDd {
-        let cell = &self.fine[t.index()];
-        match cell.get() {
+        match self.closer(t).fine {
             Fine::First(value) | Fine::Last(value) => value,
             Fine::Unknown => {
                 let value = planes.fine(&self.moments[t.index()]);
-                cell.set(Fine::First(value));
+                self.change(t, |closer| closer.fine = Fine::First(value));
                 value
             }
         }
@@ -92,8 +122,7 @@ impl Agenda {
 
     /// The same to the last digits of a double-double, if that is to be had.
     fn finer(&self, planes: &Planes, t: TriangleId) -> BallDd {
-        let cell = &self.fine[t.index()];
-        if let Fine::Last(value) = cell.get() {
+        if let Fine::Last(value) = self.closer(t).fine {
             return value;
         }
         let value = match &self.moments[t.index()] {
@@ -101,12 +130,12 @@ impl Agenda {
             _ => None,
         };
         let value = value.unwrap_or_else(|| self.fine(planes, t));
-        cell.set(Fine::Last(value));
+        self.change(t, |closer| closer.fine = Fine::Last(value));
         value
     }
 
     fn root(&self, t: TriangleId) -> u32 {
-        let mut i = self.class[t.index()].get();
+        let mut i = self.closer(t).class;
         if i == NO_CLASS {
             return NO_CLASS;
         }
@@ -116,8 +145,12 @@ impl Agenda {
             parents[i as usize] = up;
             i = up;
         }
-        self.class[t.index()].set(i);
+        self.set_class(t, i);
         i
+    }
+
+    fn set_class(&self, t: TriangleId, class: u32) {
+        self.change(t, |closer| closer.class = class);
     }
 
     fn unite(&self, a: TriangleId, b: TriangleId) {
@@ -127,11 +160,11 @@ impl Agenda {
                 let mut parents = self.parents.borrow_mut();
                 let new = parents.len() as u32;
                 parents.push(new);
-                self.class[a.index()].set(new);
-                self.class[b.index()].set(new);
+                self.set_class(a, new);
+                self.set_class(b, new);
             }
-            (NO_CLASS, j) => self.class[a.index()].set(j),
-            (i, NO_CLASS) => self.class[b.index()].set(i),
+            (NO_CLASS, j) => self.set_class(a, j),
+            (i, NO_CLASS) => self.set_class(b, i),
             (i, j) => self.parents.borrow_mut()[i as usize] = j,
         }
     }
