@@ -1,12 +1,12 @@
 //! Motorcycles and walls that somebody places.
 
 use super::{
-    grid::Grid,
+    cells::Cells,
     model::{End, MotorcycleGraph},
-    pairs::{AllPairs, Standing},
+    pairs::AllPairs,
     race,
     tracks::{Crash, Origin, Track},
-    walls::Segment,
+    walls::{Segment, Standing},
 };
 use crate::{
     predicates::{
@@ -265,16 +265,12 @@ impl MotorcycleGraph {
                 }
             })
             .collect();
+        let walls = Standing::Walls(segments);
         let tracks = if all_pairs {
-            race::run(
-                &planes,
-                starters,
-                AllPairs(Standing::Walls(segments)),
-                false,
-            )
+            race::run(&planes, starters, AllPairs(walls), false)
         } else {
-            let grid = Grid::new(&motions, &segments, planes.rough_time_unit());
-            race::run(&planes, starters, grid, false)
+            let cells = Cells::new(walls, motions.iter().map(|motion| motion.place));
+            race::run(&planes, starters, cells, false)
         };
         let wall = |plane| End::Wall(WallId::new(wall_of_line(count, plane)));
         Ok(Self::of_tracks(&planes, &tracks, wall, |_| None))
