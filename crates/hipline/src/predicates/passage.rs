@@ -6,7 +6,7 @@
 //! `t (u x1 + v y1) = z m - u x0 - v y0`. So such a moment, too, is a quotient of sums of roots of
 //! the input: of products of two at most.
 
-use hipline_num::{Ball, BallDd, Number, Rough, Sign};
+use hipline_num::{Ball, BallDd, Number, Rough, Sign, Wide};
 use std::cmp::Ordering;
 
 use super::{
@@ -272,10 +272,18 @@ impl Planes {
         }
     }
 
-    /// The time of a place that is none of a ghost arc, in double-doubles.
+    /// The time of a place that is none of a ghost arc, in double-doubles; of 400 digits where paths are so nearly
+    /// parallel that theirs are not enough.
     pub(crate) fn near_time(&self, place: &Place) -> BallDd {
         let [p, q] = time::<BallDd>(self, place);
-        p.div(&q)
+        let near = p.div(&q);
+        if near.error() <= near.value().abs() / (1_u64 << 50) as f64 {
+            return near;
+        }
+        let [p, q] = time::<Wide>(self, place);
+        // These have no shift.
+        let unit = self.time_unit - self.rough_time_unit();
+        p.div(&q).to_ball_dd().ldexp(unit)
     }
 
     /// Compares the times of two places that are none of a ghost arc. Exact.
