@@ -5,7 +5,8 @@
 //! not later than when it is where they cross. Which cells a path goes through is found in f64 with bounds
 //! (`way`): one too many costs time only.
 //!
-//! Where too many motorcycles come, a cell is cut in two, if that parts them.
+//! Where too many motorcycles come, a cell is cut in two, if that parts them; along their way, too, since many that go one way
+//! side by side would each go through many cells that are cut across the axes.
 
 use super::{
     encounter::{Window, encounter},
@@ -13,7 +14,7 @@ use super::{
     hits::{Found, Step},
     tree::{self, Extent, Node},
     walls::Standing,
-    way::{Stay, Way},
+    way::{Line, Stay, Way},
 };
 
 /// No further entry.
@@ -75,7 +76,6 @@ impl Lists {
 /// The end of the tree where walls and motorcycles are.
 #[derive(Clone, Copy, Debug)]
 struct Cell {
-    extent: Extent,
     /// Where its walls start and end.
     walls: [u32; 2],
     /// The first one of its motorcycles, and how many there are.
@@ -90,7 +90,8 @@ pub(super) struct Cells<'a> {
     standing: Standing<'a>,
     nodes: Vec<Node>,
     cells: Vec<Cell>,
-    walls: Vec<u32>,
+    lines: Vec<Line>,
+    walls: Vec<(u32, Stay)>,
     riders: Lists,
     /// Where each motorcycle still has to go: first what it gets to first.
     ahead: Lists,
@@ -117,8 +118,7 @@ impl<'a> Cells<'a> {
             cells,
             walls,
         } = tree::build(standing.len(), ends, bounds);
-        let cells = cells.into_iter().map(|(extent, walls)| Cell {
-            extent,
+        let cells = cells.into_iter().map(|walls| Cell {
             walls,
             riders: NONE,
             count: 0,
@@ -128,6 +128,7 @@ impl<'a> Cells<'a> {
             cells: cells.collect(),
             standing,
             nodes,
+            lines: Vec::new(),
             walls,
             riders: Lists::default(),
             ahead: Lists::default(),
@@ -165,24 +166,28 @@ impl<'a> Cells<'a> {
     ) {
         let way = self.ways[who as usize];
         loop {
-            match self.nodes[node as usize] {
+            let (parts, sides) = match self.nodes[node as usize] {
                 Node::Cell(cell) => return self.enter(field, who, node, cell, stay, found),
                 Node::Cut { axis, parts, line } => {
-                    let (near, far) = match way.split(stay, usize::from(axis), line) {
-                        [Some(below), Some(above)] if above[0] < below[0] => {
-                            ((parts + 1, above), Some((parts, below)))
-                        }
-                        [Some(below), Some(above)] => ((parts, below), Some((parts + 1, above))),
-                        [Some(below), None] => ((parts, below), None),
-                        [None, Some(above)] => ((parts + 1, above), None),
-                        [None, None] => return,
-                    };
-                    if let Some((far, stay)) = far {
-                        self.ahead.push(ahead, far, stay);
-                    }
-                    (node, stay) = near;
+                    (parts, way.split(stay, usize::from(axis), line))
                 }
+                Node::Slant { parts, line } => {
+                    (parts, way.split_by(stay, &self.lines[line as usize]))
+                }
+            };
+            let (near, far) = match sides {
+                [Some(below), Some(above)] if above[0] < below[0] => {
+                    ((parts + 1, above), Some((parts, below)))
+                }
+                [Some(below), Some(above)] => ((parts, below), Some((parts + 1, above))),
+                [Some(below), None] => ((parts, below), None),
+                [None, Some(above)] => ((parts + 1, above), None),
+                [None, None] => return,
+            };
+            if let Some((far, stay)) = far {
+                self.ahead.push(ahead, far, stay);
             }
+            (node, stay) = near;
         }
     }
 
@@ -203,7 +208,7 @@ impl<'a> Cells<'a> {
         } = self.cells[cell as usize];
         stay[1] = stay[1].min(field.until[who as usize]);
         let known = found.hits.len();
-        for &wall in &self.walls[from as usize..to as usize] {
+        for &(wall, _) in &self.walls[from as usize..to as usize] {
             self.standing
                 .hits(field, who, wall as usize, stay, &mut found.hits);
         }
@@ -232,36 +237,40 @@ impl<'a> Cells<'a> {
         }
     }
 
-    /// Where to cut a cell so that its motorcycles are parted best, if that is worth while.
-    fn best_line(&self, riders: &[(u32, Stay)]) -> Option<(usize, f64)> {
+    /// Where to cut a cell so that its motorcycles are parted best, if that is worth while: across an axis, or
+    /// along the way that they go.
+    fn best_line(&self, riders: &[(u32, Stay)]) -> Option<Line> {
         let mut best = (riders.len() + riders.len() / 2, None);
-        for axis in 0..2 {
-            let middle = |&(who, [from, until]): &(u32, Stay)| {
-                let way = &self.ways[who as usize];
-                let from = from.max(way.start());
+        let way = |who: u32| &self.ways[who as usize];
+        let middle = way(riders[riders.len() / 2].0);
+        for normal in [[1.0, 0.0], [0.0, 1.0], middle.across()] {
+            let place = |&(who, [from, until]): &(u32, Stay)| {
+                let from = from.max(way(who).start());
                 let time = if until.is_finite() {
                     f64::midpoint(from, until)
                 } else {
                     from
                 };
-                way.at(axis, time)
+                way(who).along(normal, time)
             };
-            let mut middles: Vec<f64> = riders.iter().map(middle).collect();
-            let half = middles.len() / 2;
-            let (_, &mut line, _) = middles.select_nth_unstable_by(half, f64::total_cmp);
-            if !line.is_finite() {
+            let mut places: Vec<f64> = riders.iter().map(place).collect();
+            places.sort_unstable_by(f64::total_cmp);
+            let half = places.len() / 2;
+            let offset = f64::midpoint(places[half - 1], places[half]);
+            let line = Line { normal, offset };
+            if !(offset.is_finite() && normal[0].is_finite() && normal[1].is_finite()) {
                 continue;
             }
             let mut counts = [0; 2];
             for &(who, stay) in riders {
-                let sides = self.ways[who as usize].split(stay, axis, line);
+                let sides = line.split(way(who), stay);
                 for (count, side) in counts.iter_mut().zip(sides) {
                     *count += usize::from(side.is_some());
                 }
             }
             let most = riders.len() * 3 / 4;
             if counts[0].max(counts[1]) <= most && counts[0] + counts[1] < best.0 {
-                best = (counts[0] + counts[1], Some((axis, line)));
+                best = (counts[0] + counts[1], Some(line));
             }
         }
         best.1
@@ -270,29 +279,25 @@ impl<'a> Cells<'a> {
     /// Cuts a cell with many motorcycles.
     fn cut(&mut self, field: &Field, node: u32, number: u32) {
         let Cell {
-            extent,
             walls: [from, to],
             riders: mut list,
             ..
         } = self.cells[number as usize];
         let mut riders = Vec::new();
-        let mut next = list;
-        while next != NONE {
-            let entry = self.riders.entries[next as usize];
-            let until = entry.stay[1].min(field.until[entry.what as usize]);
-            riders.push((entry.what, [entry.stay[0], until]));
-            next = entry.next;
+        while let Some((who, [from, until])) = self.riders.pop(&mut list) {
+            let until = until.min(field.until[who as usize]);
+            // Or else it has stopped before it would have come.
+            if from <= until {
+                riders.push((who, [from, until]));
+            }
         }
-        // Who has stopped before it would have come.
-        riders.retain(|(_, stay)| stay[0] <= stay[1]);
-        while self.riders.pop(&mut list).is_some() {}
         let may_grow = self.walls.len() <= WALLS * (self.standing.len() + self.ways.len());
         let line = if may_grow && riders.len() > MANY as usize / 2 {
             self.best_line(&riders)
         } else {
             None
         };
-        let Some((axis, line)) = line else {
+        let Some(line) = line else {
             for &(who, stay) in &riders {
                 self.riders.push(&mut list, who, stay);
             }
@@ -302,26 +307,24 @@ impl<'a> Cells<'a> {
             cell.many = MANY.max(2 * cell.count);
             return;
         };
-        let walls: Vec<u32> = self.walls[from as usize..to as usize].to_vec();
         let parts = self.nodes.len() as u32;
-        let extents = extent.cut(axis, line);
-        for (k, extent) in extents.into_iter().enumerate() {
-            let from = self.walls.len() as u32;
-            for &wall in &walls {
+        for k in 0..2 {
+            let first = self.walls.len() as u32;
+            for at in from..to {
+                let (wall, stay) = self.walls[at as usize];
                 let way = Way::between(self.standing.ends(wall as usize));
-                if extent.stay(&way, [0.0, 1.0]).is_some() {
-                    self.walls.push(wall);
+                if let Some(stay) = line.split(&way, stay)[k] {
+                    self.walls.push((wall, stay));
                 }
             }
             let mut cell = Cell {
-                extent,
-                walls: [from, self.walls.len() as u32],
+                walls: [first, self.walls.len() as u32],
                 riders: NONE,
                 count: 0,
                 many: MANY,
             };
             for &(who, stay) in &riders {
-                if let Some(stay) = self.ways[who as usize].split(stay, axis, line)[k] {
+                if let Some(stay) = line.split(&self.ways[who as usize], stay)[k] {
                     self.riders.push(&mut cell.riders, who, stay);
                     cell.count += 1;
                 }
@@ -335,10 +338,17 @@ impl<'a> Cells<'a> {
             };
             self.nodes.push(Node::Cell(place));
         }
-        self.nodes[node as usize] = Node::Cut {
-            axis: axis as u8,
-            parts,
-            line,
+        self.nodes[node as usize] = match line.axis() {
+            Some(axis) => Node::Cut {
+                axis,
+                parts,
+                line: line.offset,
+            },
+            None => {
+                self.lines.push(line);
+                let line = self.lines.len() as u32 - 1;
+                Node::Slant { parts, line }
+            }
         };
     }
 }

@@ -25,6 +25,8 @@ const DEPTH: u32 = 96;
 pub(super) enum Node {
     /// What is below a line across an axis, and the next node, which is above.
     Cut { axis: u8, parts: u32, line: f64 },
+    /// The same of a line of any direction, which has a number.
+    Slant { parts: u32, line: u32 },
     /// A cell.
     Cell(u32),
 }
@@ -51,20 +53,6 @@ impl Extent {
         [self, above]
     }
 
-    /// When a path may be in the rectangle.
-    pub(super) fn stay(&self, way: &Way, stay: Stay) -> Option<Stay> {
-        let mut stay = stay;
-        for axis in 0..2 {
-            if self.low[axis].is_finite() {
-                stay = way.split(stay, axis, self.low[axis])[1]?;
-            }
-            if self.high[axis].is_finite() {
-                stay = way.split(stay, axis, self.high[axis])[0]?;
-            }
-        }
-        Some(stay)
-    }
-
     fn width(&self, axis: usize) -> f64 {
         self.high[axis] - self.low[axis]
     }
@@ -77,9 +65,10 @@ impl Extent {
 /// What the tree is built of: the cells' walls one after the other.
 pub(super) struct Built {
     pub nodes: Vec<Node>,
-    /// The rectangle of each cell, and where its walls start and end.
-    pub cells: Vec<(Extent, [u32; 2])>,
-    pub walls: Vec<u32>,
+    /// Where the walls of each cell start and end.
+    pub cells: Vec<[u32; 2]>,
+    /// Each wall, and which part of it is in the cell: its first end is 0, its last one 1.
+    pub walls: Vec<(u32, Stay)>,
 }
 
 /// A cell that may be cut.
@@ -135,9 +124,8 @@ pub(super) fn build(
             None => {
                 built.nodes[cell.node as usize] = Node::Cell(built.cells.len() as u32);
                 let from = built.walls.len() as u32;
-                built.walls.extend(cell.walls.iter().map(|(wall, _)| wall));
-                let to = built.walls.len() as u32;
-                built.cells.push((cell.extent, [from, to]));
+                built.walls.extend(cell.walls);
+                built.cells.push([from, built.walls.len() as u32]);
             }
         }
     }
