@@ -5,7 +5,7 @@
 //! not later than when it is where they cross. Which cells a path goes through is found in f64 with bounds
 //! (`way`): one too many costs time only.
 //!
-//! Where too many motorcycles come, a cell is cut in two, if that parts them; along their way, too, since many that go one way
+//! Where too many motorcycles come, a cell is cut in two, if that parts those who are there already; along their way, too, since many that go one way
 //! side by side would each go through many cells that are cut across the axes.
 
 use super::{
@@ -96,7 +96,11 @@ pub(super) struct Cells<'a> {
     /// Where each motorcycle still has to go: first what it gets to first.
     ahead: Lists,
     first: Vec<u32>,
+    /// When each takes its next step.
+    due: Vec<f64>,
     ways: Vec<Way>,
+    /// All that is to be before has been.
+    now: f64,
 }
 
 impl<'a> Cells<'a> {
@@ -117,7 +121,11 @@ impl<'a> Cells<'a> {
             nodes,
             cells,
             walls,
-        } = tree::build(standing.len(), ends, bounds);
+        } = tree::build(
+            vec![[0.0, 1.0]; standing.len()],
+            |wall| Way::between(ends(wall)),
+            bounds,
+        );
         let cells = cells.into_iter().map(|walls| Cell {
             walls,
             riders: NONE,
@@ -133,25 +141,37 @@ impl<'a> Cells<'a> {
             riders: Lists::default(),
             ahead: Lists::default(),
             first: Vec::new(),
+            due: Vec::new(),
             ways: Vec::new(),
+            now: f64::NEG_INFINITY,
         }
     }
 
-    /// Goes to all cells where a motorcycle may be by a time, and to one at least.
+    /// Goes to all cells where a motorcycle may be by a time.
     fn go(&mut self, field: &Field, who: u32, until: f64, found: &mut Found) {
-        let mut first = self.first[who as usize];
-        while let Some((node, stay)) = self.ahead.pop(&mut first) {
-            self.go_down(field, who, node, stay, &mut first, found);
+        self.now = until;
+        self.due[who as usize] = f64::INFINITY;
+        loop {
+            let first = self.first[who as usize];
             if first == NONE {
-                break;
+                return;
             }
             let low = self.ahead.entries[first as usize].stay[0];
             if low > until {
-                found.steps.push(Step { low, who });
-                break;
+                return self.plan(field, who, low, found);
+            }
+            if let Some((node, stay)) = self.ahead.pop(&mut self.first[who as usize]) {
+                self.go_down(field, who, node, stay, found);
             }
         }
-        self.first[who as usize] = first;
+    }
+
+    /// Plans the next step of a motorcycle, unless it takes one before, or has stopped by then.
+    fn plan(&mut self, field: &Field, who: u32, low: f64, found: &mut Found) {
+        if low < self.due[who as usize] && low <= field.until[who as usize] {
+            self.due[who as usize] = low;
+            found.steps.push(Step { low, who });
+        }
     }
 
     /// Goes to the first cell of a node, and notes the other parts.
@@ -161,7 +181,6 @@ impl<'a> Cells<'a> {
         who: u32,
         mut node: u32,
         mut stay: Stay,
-        ahead: &mut u32,
         found: &mut Found,
     ) {
         let way = self.ways[who as usize];
@@ -185,7 +204,7 @@ impl<'a> Cells<'a> {
                 [None, None] => return,
             };
             if let Some((far, stay)) = far {
-                self.ahead.push(ahead, far, stay);
+                self.ahead.push(&mut self.first[who as usize], far, stay);
             }
             (node, stay) = near;
         }
@@ -215,6 +234,15 @@ impl<'a> Cells<'a> {
         for hit in &found.hits[known..] {
             stay[1] = stay[1].min(hit.bounds.high);
         }
+        // Only the first wall counts.
+        let mut at = known;
+        while at < found.hits.len() {
+            if found.hits[at].bounds.low <= stay[1] {
+                at += 1;
+            } else {
+                found.hits.swap_remove(at);
+            }
+        }
         let mut next = riders;
         while next != NONE {
             let Entry {
@@ -233,7 +261,7 @@ impl<'a> Cells<'a> {
         self.riders.push(&mut into.riders, who, stay);
         into.count += 1;
         if into.count > into.many {
-            self.cut(field, node, cell);
+            self.cut(field, node, cell, found);
         }
     }
 
@@ -265,7 +293,7 @@ impl<'a> Cells<'a> {
             for &(who, stay) in riders {
                 let sides = line.split(way(who), stay);
                 for (count, side) in counts.iter_mut().zip(sides) {
-                    *count += usize::from(side.is_some());
+                    *count += usize::from(side.is_some_and(|stay| stay[0] <= self.now));
                 }
             }
             let most = riders.len() * 3 / 4;
@@ -277,7 +305,7 @@ impl<'a> Cells<'a> {
     }
 
     /// Cuts a cell with many motorcycles.
-    fn cut(&mut self, field: &Field, node: u32, number: u32) {
+    fn cut(&mut self, field: &Field, node: u32, number: u32, found: &mut Found) {
         let Cell {
             walls: [from, to],
             riders: mut list,
@@ -324,9 +352,18 @@ impl<'a> Cells<'a> {
                 many: MANY,
             };
             for &(who, stay) in &riders {
-                if let Some(stay) = line.split(&self.ways[who as usize], stay)[k] {
-                    self.riders.push(&mut cell.riders, who, stay);
-                    cell.count += 1;
+                match line.split(&self.ways[who as usize], stay)[k] {
+                    // It is not there yet, and may never be.
+                    Some(stay) if stay[0] > self.now => {
+                        let first = &mut self.first[who as usize];
+                        self.ahead.push(first, parts + k as u32, stay);
+                        self.plan(field, who, stay[0], found);
+                    }
+                    Some(stay) => {
+                        self.riders.push(&mut cell.riders, who, stay);
+                        cell.count += 1;
+                    }
+                    None => {}
                 }
             }
             let place = if k == 0 {
@@ -358,6 +395,7 @@ impl Ground for Cells<'_> {
         let way = Way::of_track(field.planes, &field.tracks[who as usize]);
         self.ways.push(way);
         self.first.push(NONE);
+        self.due.push(f64::INFINITY);
         let from = field.starts[who as usize];
         let stay = [from.low, f64::INFINITY];
         self.ahead.push(&mut self.first[who as usize], 0, stay);
@@ -365,6 +403,9 @@ impl Ground for Cells<'_> {
     }
 
     fn step(&mut self, field: &Field, step: Step, found: &mut Found) {
-        self.go(field, step.who, step.low, found);
+        // Or else another step was planned before.
+        if self.due[step.who as usize].to_bits() == step.low.to_bits() {
+            self.go(field, step.who, step.low, found);
+        }
     }
 }

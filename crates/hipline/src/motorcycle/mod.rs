@@ -37,14 +37,16 @@ mod race;
 mod start;
 pub(crate) mod tracks;
 mod tree;
+mod verify;
 mod walls;
 mod way;
 
+use cells::Cells;
 pub use given::{InvalidLaunch, Launch, LaunchFlaw};
 pub use model::{End, Meeting, Motorcycle, MotorcycleGraph, Origin, Spot};
-use cells::Cells;
 use pairs::AllPairs;
 use tracks::Tracks;
+pub use verify::{GraphViolation, GraphViolations};
 use walls::{Edges, Standing};
 
 use crate::{

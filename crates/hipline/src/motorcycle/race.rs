@@ -134,7 +134,8 @@ impl<'a, G: Ground> Race<'a, G> {
                     if let Ok(at) = group
                         && let Some(hits) = sterile[group_of[at].1].take()
                     {
-                        hits.into_iter().for_each(|hit| agenda.add(&self.field, hit));
+                        hits.into_iter()
+                            .for_each(|hit| agenda.add(&self.field, hit));
                     }
                 }
                 agenda.add(&self.field, hit);

@@ -80,12 +80,9 @@ struct Open {
     share: f64,
 }
 
-/// Cuts the plane; the bounds are those of all that is of interest.
-pub(super) fn build(
-    count: usize,
-    ends: impl Fn(usize) -> [[f64; 2]; 2],
-    bounds: Extent,
-) -> Built {
+/// Cuts the plane for walls, of each of which its way and when it is there is told; the bounds are those of all that is of interest.
+pub(super) fn build(stays: Vec<Stay>, way: impl Fn(usize) -> Way, bounds: Extent) -> Built {
+    let count = stays.len();
     let mut built = Built {
         nodes: vec![Node::Cell(0)],
         cells: Vec::new(),
@@ -95,11 +92,11 @@ pub(super) fn build(
         node: 0,
         depth: 0,
         extent: Extent::ALL,
-        walls: (0..count as u32).map(|wall| (wall, [0.0, 1.0])).collect(),
+        walls: (0..).zip(stays).collect(),
         share: SHARE * count as f64,
     }];
     while let Some(cell) = open.pop() {
-        match cell.parts(&ends, &bounds) {
+        match cell.parts(&way, &bounds) {
             Some((axis, line, parts)) => {
                 let first = built.nodes.len() as u32;
                 built.nodes[cell.node as usize] = Node::Cut {
@@ -136,7 +133,7 @@ impl Open {
     /// Where to cut it, and what is on both sides; nothing if it is not worth it.
     fn parts(
         &self,
-        ends: impl Fn(usize) -> [[f64; 2]; 2],
+        way: impl Fn(usize) -> Way,
         bounds: &Extent,
     ) -> Option<(usize, f64, [Vec<(u32, Stay)>; 2])> {
         if self.walls.len() <= FEW || self.depth >= DEPTH {
@@ -146,10 +143,10 @@ impl Open {
             low: [0, 1].map(|k| self.extent.low[k].max(bounds.low[k])),
             high: [0, 1].map(|k| self.extent.high[k].min(bounds.high[k])),
         };
-        let (axis, line) = self.line(&ends, &extent)?;
+        let (axis, line) = self.line(&way, &extent)?;
         let mut parts = [Vec::new(), Vec::new()];
         for &(wall, stay) in &self.walls {
-            let sides = Way::between(ends(wall as usize)).split(stay, axis, line);
+            let sides = way(wall as usize).split(stay, axis, line);
             for (part, stay) in parts.iter_mut().zip(sides) {
                 part.extend(stay.map(|stay| (wall, stay)));
             }
@@ -158,16 +155,12 @@ impl Open {
     }
 
     /// The best line, and the axis that it is across.
-    fn line(
-        &self,
-        ends: impl Fn(usize) -> [[f64; 2]; 2],
-        extent: &Extent,
-    ) -> Option<(usize, f64)> {
+    fn line(&self, way: impl Fn(usize) -> Way, extent: &Extent) -> Option<(usize, f64)> {
         // How many walls start and end between two neighbouring lines.
         let mut counts = [[[0_u32; 2]; LINES]; 2];
         let scale = [0, 1].map(|k| LINES as f64 / extent.width(k));
         for &(wall, stay) in &self.walls {
-            let way = Way::between(ends(wall as usize));
+            let way = way(wall as usize);
             for axis in 0..2 {
                 let [p, q] = stay.map(|time| way.at(axis, time) - extent.low[axis]);
                 let strip = |x: f64| ((x * scale[axis]).max(0.0) as usize).min(LINES - 1);

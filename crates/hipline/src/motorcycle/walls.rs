@@ -51,9 +51,9 @@ impl Standing<'_> {
     ) {
         let during = |hit: &Hit| hit.bounds.high >= stay[0] && hit.bounds.low <= stay[1];
         match self {
-            Self::Edges(edges) => found.extend(
-                (edges.hits(field, who, wall).into_iter().flatten()).filter(during),
-            ),
+            Self::Edges(edges) => {
+                found.extend((edges.hits(field, who, wall).into_iter().flatten()).filter(during))
+            }
             Self::Walls(walls) => found.extend(walls[wall].hit(field, who).filter(during)),
         }
     }

@@ -99,6 +99,11 @@ impl Way {
         Self::new(p, [q[0] - p[0], q[1] - p[1]], 0.0)
     }
 
+    /// From a point on, for ever from 0.
+    pub(super) fn escaping(start: [f64; 2], velocity: [f64; 2]) -> Self {
+        Self::new(start, velocity, 0.0)
+    }
+
     /// When it starts.
     pub(super) const fn start(&self) -> f64 {
         self.start
@@ -189,7 +194,11 @@ impl Way {
         let [v, w] = self.velocity;
         let size = v.abs().max(w.abs());
         // Opposite ways have one.
-        let size = if w < 0.0 || (w == 0.0 && v < 0.0) { -size } else { size };
+        let size = if w < 0.0 || (w == 0.0 && v < 0.0) {
+            -size
+        } else {
+            size
+        };
         [-w / size, v / size]
     }
 
