@@ -1,14 +1,17 @@
-//! How long motorcycle graphs take, beside a constrained Delaunay triangulation of the same input.
+//! How long motorcycle graphs take and how much memory, beside a constrained Delaunay triangulation of the same input and
+//! its straight skeleton.
 //!
 //! ```text
 //! cargo run --release -p hipline-bench --example motorcycles [SIZE...]
 //! ```
 //!
-//! One thread, CPU time, the best of three (of one from 200,000 vertices on). The figure, and with it the triangulation that
-//! the walks go through, is there before the clock starts.
+//! One thread, CPU time, the best of three (of one from 200,000 vertices on). The figure, and with it the triangulation all
+//! that it holds, is there before the clock starts. Memory is the peak beyond that, with the result.
 
+use std::alloc::System;
 use std::hint::black_box;
 
+use cap::Cap;
 use cpu_time::ThreadTime;
 use hipline::motorcycle::{Launch, MotorcycleGraph};
 use hipline::{Figure, Options};
@@ -26,6 +29,9 @@ const FAMILIES: [Family; 9] = [
     Family::Holes,
     Family::SquareHoles,
 ];
+
+#[global_allocator]
+static MEMORY: Cap<System> = Cap::new(System, usize::MAX);
 
 /// Nanoseconds for each of n.
 fn time(n: usize, mut job: impl FnMut()) -> f64 {

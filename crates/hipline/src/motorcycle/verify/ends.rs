@@ -2,7 +2,10 @@
 
 use super::{Checker, GraphViolation, Instant, Rider, Walls};
 use crate::{
-    motorcycle::{births, model::End},
+    motorcycle::{
+        births,
+        model::{End, Spot},
+    },
     predicates::{Place, PlaneId, Rail, lines_of_wall},
     topology::{MeetingId, MotorcycleId},
 };
@@ -15,7 +18,8 @@ impl Checker<'_> {
             let stop = match motorcycle.end {
                 End::Escape => None,
                 end => {
-                    let stop = self.end_of(rider, end).map(|place| self.instant(place));
+                    let stop = self.end_of(rider, end, motorcycle.stop);
+                    let stop = stop.map(|place| self.instant(place));
                     let Some(stop) = stop.filter(|t| self.compare(t, &rider.start).is_ge()) else {
                         self.list.push(GraphViolation::NoWay { motorcycle: id });
                         continue;
@@ -41,7 +45,7 @@ impl Checker<'_> {
     }
 
     /// Where a motorcycle with an end like this one ends, if its way leads there.
-    fn end_of(&self, rider: &Rider, end: End) -> Option<Place> {
+    fn end_of(&self, rider: &Rider, end: End, stop: Option<Spot>) -> Option<Place> {
         let pair = rider.pair;
         let crosses = |plane: PlaneId| !self.planes.moves_away(pair, plane).is_zero();
         let on = |plane: PlaneId| Place::On {
@@ -78,13 +82,10 @@ impl Checker<'_> {
                     let rail = Rail::Path(other.pair);
                     return Some(Place::On { pair, rail });
                 }
-                let there = self.instant(passing(pair, other)?);
-                let is_ahead = self.compare(&there, &rider.start).is_gt();
-                Some(if is_ahead {
-                    there.place
-                } else {
-                    rider.start.place
-                })
+                // It stops at its own start, if the other one came through it before, or at that one's.
+                let there = passing(pair, other)?;
+                let at_once = stop.is_some_and(|stop| self.is_rounded(stop, &rider.start.place));
+                Some(if at_once { rider.start.place } else { there })
             }
             End::Meeting(meeting) => {
                 let members = &self.graph.meeting(meeting).members;
