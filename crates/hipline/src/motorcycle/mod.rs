@@ -128,8 +128,8 @@ impl Figure {
     /// ```
     ///
     /// # Complexity
-    /// Near n log n where tracks are short beside the triangles of the figure, with memory linear in the number of
-    /// triangles that the tracks go through; O(n^2 log n) and more where many long tracks go through many long triangles.
+    /// Near n log n on ordinary input, with memory linear in the number of cells that the tracks go through; quadratic
+    /// at worst, where many long tracks go through many cells.
     ///
     /// # Errors
     /// If the figure is not made of polygons alone, or not all speeds are one.
