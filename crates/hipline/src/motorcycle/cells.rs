@@ -107,16 +107,8 @@ impl<'a> Cells<'a> {
     /// The cells of walls; motorcycles start at places like those told.
     pub(super) fn new(standing: Standing<'a>, starts: impl Iterator<Item = [f64; 2]>) -> Self {
         let ends = |wall: usize| standing.ends(wall);
-        let mut bounds = Extent {
-            low: [f64::INFINITY; 2],
-            high: [f64::NEG_INFINITY; 2],
-        };
-        for place in (0..standing.len()).flat_map(ends).chain(starts) {
-            for axis in 0..2 {
-                bounds.low[axis] = bounds.low[axis].min(place[axis]);
-                bounds.high[axis] = bounds.high[axis].max(place[axis]);
-            }
-        }
+        let places = (0..standing.len()).flat_map(ends).chain(starts);
+        let bounds = Extent::around(places);
         let tree::Built {
             nodes,
             cells,

@@ -39,6 +39,21 @@ pub(super) struct Extent {
 }
 
 impl Extent {
+    /// The rectangle around finite coordinates.
+    pub(super) fn around(places: impl Iterator<Item = [f64; 2]>) -> Self {
+        let mut around = Self {
+            low: [f64::INFINITY; 2],
+            high: [f64::NEG_INFINITY; 2],
+        };
+        for place in places {
+            for (axis, x) in place.into_iter().enumerate().filter(|(_, x)| x.is_finite()) {
+                around.low[axis] = around.low[axis].min(x);
+                around.high[axis] = around.high[axis].max(x);
+            }
+        }
+        around
+    }
+
     /// All of the plane.
     pub(super) const ALL: Self = Self {
         low: [f64::NEG_INFINITY; 2],
@@ -129,13 +144,12 @@ pub(super) fn build(stays: Vec<Stay>, way: impl Fn(usize) -> Way, bounds: Extent
     built
 }
 
+/// The axis and the line of a cut, and what is on both sides.
+type Parts = (usize, f64, [Vec<(u32, Stay)>; 2]);
+
 impl Open {
     /// Where to cut it, and what is on both sides; nothing if it is not worth it.
-    fn parts(
-        &self,
-        way: impl Fn(usize) -> Way,
-        bounds: &Extent,
-    ) -> Option<(usize, f64, [Vec<(u32, Stay)>; 2])> {
+    fn parts(&self, way: impl Fn(usize) -> Way, bounds: &Extent) -> Option<Parts> {
         if self.walls.len() <= FEW || self.depth >= DEPTH {
             return None;
         }
@@ -161,21 +175,21 @@ impl Open {
         let scale = [0, 1].map(|k| LINES as f64 / extent.width(k));
         for &(wall, stay) in &self.walls {
             let way = way(wall as usize);
-            for axis in 0..2 {
+            for (axis, counts) in counts.iter_mut().enumerate() {
                 let [p, q] = stay.map(|time| way.at(axis, time) - extent.low[axis]);
                 let strip = |x: f64| ((x * scale[axis]).max(0.0) as usize).min(LINES - 1);
-                counts[axis][strip(p.min(q))][0] += 1;
-                counts[axis][strip(p.max(q))][1] += 1;
+                counts[strip(p.min(q))][0] += 1;
+                counts[strip(p.max(q))][1] += 1;
             }
         }
         let whole = self.walls.len() as u32;
         let mut best = (f64::from(whole), None);
-        for axis in 0..2 {
+        for (axis, counts) in counts.iter().enumerate() {
             let width = extent.width(axis) / LINES as f64;
             let (mut below, mut above) = (0, whole);
             for k in 1..LINES {
-                below += counts[axis][k - 1][0];
-                above -= counts[axis][k - 1][1];
+                below += counts[k - 1][0];
+                above -= counts[k - 1][1];
                 let line = extent.low[axis] + width * k as f64;
                 let inside = extent.low[axis] < line && line < extent.high[axis];
                 let parts = extent.cut(axis, line);

@@ -134,7 +134,8 @@ impl Way {
             let (ahead, slack) = (line - self.at[axis], self.at[axis].abs() * SLACK);
             let some = |is: bool| is.then_some(stay);
             // Not a number: both.
-            return [some(!(ahead < -slack)), some(!(ahead > slack))];
+            let [is_above, is_below] = [ahead < -slack, ahead > slack];
+            return [some(!is_above), some(!is_below)];
         }
         let [low, high] = self.passes(axis, line);
         let first = (stay[0] <= high).then(|| [stay[0], stay[1].min(high)]);

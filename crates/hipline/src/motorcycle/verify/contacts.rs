@@ -52,21 +52,10 @@ impl Checker<'_> {
         let all: Vec<_> = (0..count + self.walls.len())
             .map(|i| self.told(i))
             .collect();
-        let mut bounds = Extent {
-            low: [f64::INFINITY; 2],
-            high: [f64::NEG_INFINITY; 2],
-        };
-        for x in all
-            .iter()
-            .flat_map(|(extent, ..)| [extent.low, extent.high])
-        {
-            for axis in 0..2 {
-                if x[axis].is_finite() {
-                    bounds.low[axis] = bounds.low[axis].min(x[axis]);
-                    bounds.high[axis] = bounds.high[axis].max(x[axis]);
-                }
-            }
-        }
+        let bounds = Extent::around(
+            all.iter()
+                .flat_map(|(extent, ..)| [extent.low, extent.high]),
+        );
         let stays = all.iter().map(|(_, _, stay)| *stay).collect();
         let built = tree::build(stays, |i| all[i].1, bounds);
         for [from, to] in built.cells {
