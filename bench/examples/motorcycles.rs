@@ -1,14 +1,18 @@
-//! How long motorcycle graphs take, beside a constrained Delaunay triangulation of the same input.
+//! How long motorcycle graphs take and how much memory, beside a constrained Delaunay triangulation of the same input and
+//! its straight skeleton.
 //!
 //! ```text
-//! cargo run --release -p hipline-bench --example motorcycles [SIZE...]
+//! cargo run --release -p hipline-bench --example motorcycles [FAMILY...] [SIZE...]
 //! ```
 //!
-//! One thread, CPU time, the best of three (of one from 200,000 vertices on). The figure, and with it the triangulation that
-//! the walks go through, is there before the clock starts.
+//! One thread, CPU time, the best of three (of one from 200,000 vertices on). The figure with its triangulation is there before
+//! the clock starts. Memory is the most that is in use, figure and result among it; it is known only if nothing before took more,
+//! so ask for one family and size at a time.
 
+use std::alloc::System;
 use std::hint::black_box;
 
+use cap::Cap;
 use cpu_time::ThreadTime;
 use hipline::motorcycle::{Launch, MotorcycleGraph};
 use hipline::{Figure, Options};
@@ -26,6 +30,9 @@ const FAMILIES: [Family; 9] = [
     Family::Holes,
     Family::SquareHoles,
 ];
+
+#[global_allocator]
+static MEMORY: Cap<System> = Cap::new(System, usize::MAX);
 
 /// Nanoseconds for each of n.
 fn time(n: usize, mut job: impl FnMut()) -> f64 {
@@ -47,8 +54,9 @@ fn triangulate(figure: &Figure) {
     black_box(cdt.is_ok());
 }
 
-fn of_figures(n: usize) {
-    for family in FAMILIES {
+fn of_figures(families: &[Family], n: usize) {
+    for family in families {
+        let (before, most_before) = (MEMORY.allocated(), MEMORY.max_allocated());
         let figure = match family.generate(n, 1).figure() {
             Ok(figure) => figure,
             Err(flaws) => {
@@ -57,21 +65,24 @@ fn of_figures(n: usize) {
             }
         };
         let vertices = figure.vertices().len();
-        let spade = time(vertices, || triangulate(&figure));
-        let skeleton = time(vertices, || {
-            black_box(figure.skeleton(Options::default()));
-        });
         let mut count = [0; 2];
         let own = time(vertices, || {
             let graph = figure.motorcycles().expect("a polygon");
             count = [graph.motorcycles().len(), graph.meetings().len()];
         });
+        let most = MEMORY.max_allocated();
+        let bytes = (most > most_before).then(|| ((most - before) / vertices).to_string());
+        let spade = time(vertices, || triangulate(&figure));
+        let skeleton = time(vertices, || {
+            black_box(figure.skeleton(Options::default()));
+        });
         println!(
-            "{:<14} {vertices:>9} {:>9} {:>8} {own:>10.0} {spade:>10.0} {:>7.2} {skeleton:>10.0}",
+            "{:<14} {vertices:>9} {:>9} {:>8} {own:>10.0} {skeleton:>10.0} {:>7.2} {spade:>10.0} {:>9}",
             family.name(),
             count[0],
             count[1],
-            own / spade
+            own / skeleton,
+            bytes.unwrap_or_default()
         );
     }
 }
@@ -96,17 +107,32 @@ fn of_launches(n: usize) {
 
 fn main() {
     println!(
-        "{:<14} {:>9} {:>9} {:>8} {:>10} {:>10} {:>7} {:>10}",
-        "family", "vertices", "m'cycles", "meetings", "ns/vertex", "spade", "ratio", "skeleton"
+        "{:<14} {:>9} {:>9} {:>8} {:>10} {:>10} {:>7} {:>10} {:>9}",
+        "family",
+        "vertices",
+        "m'cycles",
+        "meetings",
+        "ns/vertex",
+        "skeleton",
+        "ratio",
+        "spade",
+        "B/vertex"
     );
-    let mut sizes: Vec<usize> = (std::env::args().skip(1))
-        .filter_map(|size| size.parse().ok())
-        .collect();
+    let words: Vec<String> = std::env::args().skip(1).collect();
+    let mut sizes: Vec<usize> = words.iter().filter_map(|word| word.parse().ok()).collect();
     if sizes.is_empty() {
         sizes = vec![1000, 10_000, 100_000, 1_000_000];
     }
+    let named = |family: &Family| words.iter().any(|word| word == family.name());
+    let mut families: Vec<Family> = FAMILIES.into_iter().filter(named).collect();
+    let all = families.is_empty();
+    if all {
+        families = FAMILIES.to_vec();
+    }
     for size in sizes {
-        of_figures(size);
-        of_launches(size);
+        of_figures(&families, size);
+        if all {
+            of_launches(size);
+        }
     }
 }

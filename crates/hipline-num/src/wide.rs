@@ -11,7 +11,7 @@ use dashu_int::{
     ops::{BitTest, SquareRoot, UnsignedAbs},
 };
 
-use crate::{Number, Sign};
+use crate::{BallDd, Number, Sign};
 
 /// Binary digits kept.
 const DIGITS: usize = 400;
@@ -212,6 +212,22 @@ impl Wide {
         .cut()
     }
 
+    /// The same as a double-double.
+    #[must_use]
+    pub fn to_ball_dd(&self) -> BallDd {
+        let drop = bits(&self.mantissa).saturating_sub(100);
+        let by = i32::try_from(drop).unwrap_or(i32::MAX);
+        let mut error = self.error * 2.0_f64.powi(-by);
+        // Shifting rounds down: at most one unit.
+        if drop > 0 {
+            error = (error + 1.0) * UP;
+        }
+        let exponent = i32::try_from(self.exponent + drop as i64).unwrap_or(i32::MAX);
+        BallDd::from_int(&(&self.mantissa >> drop))
+            .plus(&BallDd::new(0.0, 0.0, error))
+            .ldexp(exponent)
+    }
+
     /// Whether the bound is finite.
     #[must_use]
     pub fn is_bounded(&self) -> bool {
@@ -329,6 +345,12 @@ mod tests {
                 .times(&root)
                 .minus(&Wide::from_int(&IBig::from(a).unsigned_abs().into()));
             assert!(matches!(back.sign(), None | Some(Sign::Zero)), "sqrt {a}");
+            let near = p.div(&q).to_ball_dd();
+            assert!(near.error() <= near.value().abs() * 2.0_f64.powi(-90));
+            let back = near
+                .times(&BallDd::from_int(&IBig::from(b)))
+                .minus(&BallDd::from_int(&IBig::from(a)));
+            assert!(matches!(back.sign(), None | Some(Sign::Zero)), "{a} / {b}");
             let near = p.plus(&Wide::from_i64(1)).div(&q).minus(&p.div(&q));
             assert_eq!(
                 near.sign(),

@@ -10,7 +10,7 @@ use hipline::topology::{EdgeId, MeetingId, MotorcycleId};
 use hipline::{Figure, Options};
 use hipline_testkit::Case;
 use hipline_testkit::agreement as drawn;
-use hipline_testkit::generate::{Kind, Random, small_of};
+use hipline_testkit::generate::{Family, Kind, Random, small_of};
 use hipline_testkit::metamorphic::Map;
 use hipline_testkit::reference::{Graph, RefMotorcycle, reference_launches, reference_motorcycles};
 
@@ -78,6 +78,7 @@ fn agrees(case: &Case) -> bool {
     };
     let pairs = figure.motorcycles_by_pairs().expect("it applies");
     assert_eq!(walked, pairs, "{}", case.to_text());
+    assert_eq!(walked.verify(&figure), Ok(()), "{}", case.to_text());
     !walked.motorcycles().is_empty()
 }
 
@@ -116,6 +117,34 @@ fn walks_agree_with_all_pairs_in_the_field() {
     println!("{vertices} vertices");
 }
 
+#[test]
+fn graphs_of_the_field_obey_their_laws() {
+    let (mut vertices, mut motorcycles) = (0, 0);
+    for case in field(100_000, count(300, 3) as usize) {
+        let figure = case.figure().expect("a figure");
+        let Ok(graph) = figure.motorcycles() else {
+            continue;
+        };
+        assert_eq!(graph.verify(&figure), Ok(()), "{:?}", case.comments);
+        vertices += figure.vertices().len();
+        motorcycles += graph.motorcycles().len();
+    }
+    println!("{vertices} vertices, {motorcycles} motorcycles");
+}
+
+#[test]
+fn graphs_of_families_obey_their_laws() {
+    for family in Family::all() {
+        let case = family.generate(count(3000, 200) as usize, 3);
+        let Ok(figure) = case.figure() else {
+            continue;
+        };
+        if let Ok(graph) = figure.motorcycles() {
+            assert_eq!(graph.verify(&figure), Ok(()), "{}", family.name());
+        }
+    }
+}
+
 /// Motorcycles and walls on a small grid, so that nearly everything coincides with something.
 fn launches(seed: u64) -> (Vec<Launch>, Vec<[[f64; 2]; 2]>) {
     let mut random = Random::new(seed);
@@ -150,6 +179,8 @@ fn grids_agree_with_all_pairs() {
         let fast = MotorcycleGraph::new(&list, &walls).expect("valid");
         let pairs = MotorcycleGraph::of_all_pairs(&list, &walls).expect("valid");
         assert_eq!(fast, pairs, "seed {seed}: {list:?} {walls:?}");
+        let verified = fast.verify_launches(&list, &walls);
+        assert_eq!(verified, Ok(()), "seed {seed}: {list:?} {walls:?}");
         let reference = reference_launches(&list, &walls);
         assert_eq!(told(&fast), reference, "seed {seed}: {list:?} {walls:?}");
     }

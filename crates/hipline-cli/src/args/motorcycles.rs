@@ -34,6 +34,10 @@ pub struct MotorcyclesArgs {
     #[arg(long, value_name = "FILE")]
     pub walls: Option<PathBuf>,
 
+    /// Also check the result against the laws of motorcycle graphs, without what made it
+    #[arg(long)]
+    pub verify: bool,
+
     #[command(flatten)]
     pub output: OutputArgs,
 

@@ -39,7 +39,13 @@ pub fn run(args: &MotorcyclesArgs) -> Result<Outcome, Failure> {
     let document = input::document(&args.input)?;
     let items = Item::all(&document, args.input.together);
     let computed = each(&items, |_, figure| match figure {
-        Some(figure) => figure.motorcycles().map_err(|reason| reason.to_string()),
+        Some(figure) => {
+            let graph = figure.motorcycles().map_err(|reason| reason.to_string())?;
+            if args.verify {
+                graph.verify(figure).map_err(|broken| broken.to_string())?;
+            }
+            Ok(graph)
+        }
         None => Ok(MotorcycleGraph::default()),
     });
     let outcome = report_errors(&computed);
@@ -89,6 +95,11 @@ fn given(args: &MotorcyclesArgs, targets: &[Target]) -> Result<Outcome, Failure>
         let lines = invalid.to_string().replace('\n', "\nerror: ");
         Failure::Input(lines)
     })?;
+    if args.verify {
+        graph
+            .verify_launches(&launches, &walls)
+            .map_err(|broken| Failure::Input(broken.to_string()))?;
+    }
     let name = FeatureName { index: 0, id: None };
     write(
         targets,

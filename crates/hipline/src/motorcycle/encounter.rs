@@ -26,8 +26,6 @@ pub(super) struct Window {
     pub from: [f64; 2],
     /// Until when.
     pub until: [f64; 2],
-    /// The cell.
-    pub cell: u32,
 }
 
 impl Window {
@@ -35,7 +33,6 @@ impl Window {
     pub(super) const ALL: Self = Self {
         from: [f64::NEG_INFINITY; 2],
         until: [f64::INFINITY; 2],
-        cell: 0,
     };
 }
 
@@ -90,7 +87,7 @@ pub(super) fn encounter(field: &Field, i: u32, j: u32, window: Window, found: &m
         return;
     }
     if turn.is_zero() {
-        aligned(field, who, window, found);
+        aligned(field, who, found);
         return;
     }
     let places = [
@@ -133,7 +130,6 @@ pub(super) fn encounter(field: &Field, i: u32, j: u32, window: Window, found: &m
             place: places[k],
             bounds: times[k],
             there: Some(times[1 - k]),
-            cell: window.cell,
         });
     };
     match (first, at_start) {
@@ -155,7 +151,7 @@ fn is_narrow(t: Bounds) -> bool {
 }
 
 /// Two motorcycles whose paths are parallel.
-fn aligned(field: &Field, who: [u32; 2], window: Window, found: &mut Found) {
+fn aligned(field: &Field, who: [u32; 2], found: &mut Found) {
     let planes = field.planes;
     let tracks = who.map(|k| &field.tracks[k as usize]);
     let [p, q] = tracks.map(|track| track.pair);
@@ -192,7 +188,6 @@ fn aligned(field: &Field, who: [u32; 2], window: Window, found: &mut Found) {
                 place,
                 bounds,
                 there: None,
-                cell: window.cell,
             });
         };
         let starts = (&other.start, field.starts[who[1 - k] as usize]);
@@ -246,7 +241,6 @@ fn aligned(field: &Field, who: [u32; 2], window: Window, found: &mut Found) {
                 place: places[k],
                 bounds,
                 there: None,
-                cell: window.cell,
             });
         }
     }

@@ -15,6 +15,8 @@ pub(super) struct Field<'a> {
     pub lanes: Vec<Lane>,
     /// When each starts, as far as f64 can tell.
     pub starts: Vec<Bounds>,
+    /// By when each has stopped for certain, as far as is known.
+    pub until: Vec<f64>,
     pub meetings: Vec<Meeting>,
 }
 
@@ -22,6 +24,7 @@ impl Field<'_> {
     pub(super) fn add(&mut self, track: Track) -> u32 {
         self.lanes.push(self.planes.lane(track.pair));
         self.starts.push(self.planes.time_bounds(&track.start));
+        self.until.push(f64::INFINITY);
         self.tracks.push(track);
         self.tracks.len() as u32 - 1
     }
@@ -96,8 +99,8 @@ impl Field<'_> {
 
 /// Where motorcycles find what they may run into.
 pub(super) trait Ground {
-    /// A motorcycle starts. If a meeting bore it, the cells where the ground found that are told.
-    fn start(&mut self, field: &Field, who: u32, cells: &[u32], found: &mut Found);
+    /// A motorcycle starts.
+    fn start(&mut self, field: &Field, who: u32, found: &mut Found);
     /// Takes a step.
     fn step(&mut self, field: &Field, step: Step, found: &mut Found);
 }

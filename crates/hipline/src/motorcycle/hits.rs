@@ -49,8 +49,6 @@ pub(super) struct Hit {
     pub bounds: Bounds,
     /// When another one is there, if it hits that one's track.
     pub there: Option<Bounds>,
-    /// Where the ground found it.
-    pub cell: u32,
 }
 
 /// A step that the ground wants to take not later than when a motorcycle gets somewhere.
@@ -59,9 +57,6 @@ pub(super) struct Step {
     /// At most the time when it gets there.
     pub low: f64,
     pub who: u32,
-    /// Where it gets: the ground knows.
-    pub cell: u32,
-    pub side: u32,
 }
 
 impl PartialEq for Step {
@@ -82,7 +77,7 @@ impl Ord for Step {
     fn cmp(&self, other: &Self) -> Ordering {
         self.low
             .total_cmp(&other.low)
-            .then_with(|| (self.who, self.cell).cmp(&(other.who, other.cell)))
+            .then_with(|| self.who.cmp(&other.who))
     }
 }
 

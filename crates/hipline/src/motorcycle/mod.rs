@@ -21,27 +21,33 @@
 //!
 //! No coordinate takes part in a decision: a track is a pair of planes (`tracks`), a crash a definition
 //! (`Place::On`). `race` settles the crashes in the exact order of time. It is told of
-//! what may happen by a *ground*: `pairs`, the definition in quadratic time; `walk`, along the triangulation of
-//! a figure; `grid`, for motorcycles that somebody placed (`given`). A ground may tell too much, and never
-//! too little, so grounds need no exact numbers of their own.
+//! what may happen by a *ground*: `pairs`, the definition in quadratic time; `cells`, a tree of cells with few walls and few
+//! motorcycles. A ground may tell too much, and never too little, so grounds need no exact numbers of their own.
 
+mod agenda;
 mod births;
+mod cells;
 mod encounter;
 mod field;
 mod given;
-mod grid;
 mod hits;
 mod model;
 mod pairs;
 mod race;
 mod start;
 pub(crate) mod tracks;
-mod walk;
+mod tree;
+mod verify;
 mod walls;
+mod way;
 
+use cells::Cells;
 pub use given::{InvalidLaunch, Launch, LaunchFlaw};
 pub use model::{End, Meeting, Motorcycle, MotorcycleGraph, Origin, Spot};
+use pairs::AllPairs;
 use tracks::Tracks;
+pub use verify::{GraphViolation, GraphViolations};
+use walls::{Edges, Standing};
 
 use crate::{
     engine::NotApplicable,
@@ -59,10 +65,13 @@ use crate::{
 pub(crate) fn induced(figure: &Figure) -> Result<(Planes, Tracks), NotApplicable> {
     start::check(figure)?;
     let planes = Planes::new(figure, &[]);
-    let sectors = start::sectors(figure, &planes);
-    let starters = sectors.iter().map(|sector| sector.track).collect();
-    let walks = walk::Walks::new(walls::Edges::new(figure), &sectors, &planes);
-    let tracks = race::run(&planes, starters, walks, true);
+    let starters = start::starters(figure, &planes);
+    if starters.is_empty() {
+        return Ok((planes, Tracks::default()));
+    }
+    let edges = Standing::Edges(Edges::new(figure, &planes));
+    let cells = Cells::new(edges, std::iter::empty());
+    let tracks = race::run(&planes, starters, cells, true);
     Ok((planes, tracks))
 }
 
@@ -70,10 +79,9 @@ pub(crate) fn induced(figure: &Figure) -> Result<(Planes, Tracks), NotApplicable
 fn induced_by_pairs(figure: &Figure) -> Result<(Planes, Tracks), NotApplicable> {
     start::check(figure)?;
     let planes = Planes::new(figure, &[]);
-    let sectors = start::sectors(figure, &planes);
-    let starters = sectors.iter().map(|sector| sector.track).collect();
-    let ground = pairs::AllPairs(pairs::Standing::Edges(walls::Edges::new(figure)));
-    let tracks = race::run(&planes, starters, ground, true);
+    let starters = start::starters(figure, &planes);
+    let edges = Standing::Edges(Edges::new(figure, &planes));
+    let tracks = race::run(&planes, starters, AllPairs(edges), true);
     Ok((planes, tracks))
 }
 
@@ -120,8 +128,8 @@ impl Figure {
     /// ```
     ///
     /// # Complexity
-    /// Near n log n where tracks are short beside the triangles of the figure, with memory linear in the number of
-    /// triangles that the tracks go through; O(n^2 log n) and more where many long tracks go through many long triangles.
+    /// Near n log n on ordinary input, with memory linear in the number of cells that the tracks go through; quadratic
+    /// at worst, where many long tracks go through many cells.
     ///
     /// # Errors
     /// If the figure is not made of polygons alone, or not all speeds are one.

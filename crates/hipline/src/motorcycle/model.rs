@@ -80,8 +80,8 @@ pub struct Meeting {
 /// Made by [`Figure::motorcycles`](crate::Figure::motorcycles) or [`MotorcycleGraph::new`].
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct MotorcycleGraph {
-    motorcycles: Vec<Motorcycle>,
-    meetings: Vec<Meeting>,
+    pub(super) motorcycles: Vec<Motorcycle>,
+    pub(super) meetings: Vec<Meeting>,
 }
 
 impl MotorcycleGraph {

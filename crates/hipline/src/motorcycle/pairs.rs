@@ -4,31 +4,17 @@ use super::{
     encounter::{Window, encounter},
     field::{Field, Ground},
     hits::{Found, Step},
-    walls::{Edges, Segment},
+    walls::Standing,
+    way::ALWAYS,
 };
-
-/// What stands still.
-pub(super) enum Standing<'a> {
-    Edges(Edges<'a>),
-    Walls(Vec<Segment>),
-}
 
 /// Everybody looks at everybody and at all that stands still.
 pub(super) struct AllPairs<'a>(pub Standing<'a>);
 
 impl Ground for AllPairs<'_> {
-    fn start(&mut self, field: &Field, who: u32, _: &[u32], found: &mut Found) {
-        match &self.0 {
-            Standing::Edges(edges) => {
-                for edge in 0..edges.figure().edges().len() {
-                    edges.hits(field, who, edge, found);
-                }
-            }
-            Standing::Walls(walls) => {
-                for wall in walls {
-                    found.hits.extend(wall.hit(field, who, 0));
-                }
-            }
+    fn start(&mut self, field: &Field, who: u32, found: &mut Found) {
+        for wall in 0..self.0.len() {
+            self.0.hits(field, who, wall, ALWAYS, &mut found.hits);
         }
         for other in 0..who {
             encounter(field, other, who, Window::ALL, found);

@@ -11,12 +11,13 @@
 //! moment, and nearly none of them have to be compared.
 
 use super::{
+    agenda::Agenda,
     births,
     field::{Field, Ground},
     hits::{Found, Hit, Obstacle, Queued, Step},
     tracks::{Crash, Meeting, Origin, Track, Tracks},
 };
-use crate::predicates::{Place, Planes};
+use crate::predicates::Planes;
 use std::{cmp::Reverse, collections::BinaryHeap};
 
 /// The first one of the set that an element is in.
@@ -26,6 +27,17 @@ fn root(parents: &mut [usize], mut i: usize) -> usize {
         i = parents[i];
     }
     i
+}
+
+/// Hits that may depend on each other, and groups that do not.
+#[derive(Default)]
+struct Groups {
+    /// All groups in which one may be born.
+    fertile: Vec<Hit>,
+    /// The other groups.
+    sterile: Vec<Vec<Hit>>,
+    /// Which of the latter hits of a motorcycle are in, ascending.
+    group_of: Vec<(u32, usize)>,
 }
 
 /// The state between two moments.
@@ -51,6 +63,7 @@ pub(super) fn run<G: Ground>(
             planes,
             lanes: Vec::with_capacity(starters.len()),
             starts: Vec::with_capacity(starters.len()),
+            until: Vec::with_capacity(starters.len()),
             tracks: Vec::with_capacity(starters.len()),
             meetings: Vec::new(),
         },
@@ -62,7 +75,7 @@ pub(super) fn run<G: Ground>(
     };
     for track in starters {
         let who = race.field.add(track);
-        race.ground.start(&race.field, who, &[], &mut race.found);
+        race.ground.start(&race.field, who, &mut race.found);
         race.file();
     }
     while race.advance() {}
@@ -76,8 +89,13 @@ pub(super) fn run<G: Ground>(
 impl<'a, G: Ground> Race<'a, G> {
     /// Puts what was found into the queues.
     fn file(&mut self) {
-        let hits = self.found.hits.drain(..);
-        self.hits.extend(hits.map(|hit| Reverse(Queued(hit))));
+        for hit in self.found.hits.drain(..) {
+            if matches!(hit.on, Obstacle::Wall(_) | Obstacle::Vertex(_)) {
+                let until = &mut self.field.until[hit.who as usize];
+                *until = until.min(hit.bounds.high);
+            }
+            self.hits.push(Reverse(Queued(hit)));
+        }
         let steps = self.found.steps.drain(..);
         self.steps.extend(steps.map(Reverse));
     }
@@ -91,25 +109,50 @@ impl<'a, G: Ground> Race<'a, G> {
             self.settle(&[hit]);
             return true;
         }
-        while !cluster.is_empty() {
-            let (fertile, sterile) = self.components(&cluster);
-            if fertile.is_empty() {
-                for hits in sterile {
-                    self.settle_in_order(hits, false);
-                }
-                return true;
+        if cluster.is_empty() {
+            return false;
+        }
+        let Groups {
+            fertile,
+            sterile,
+            group_of,
+        } = self.groups(&cluster);
+        let mut sterile: Vec<Option<Vec<Hit>>> = sterile.into_iter().map(Some).collect();
+        let mut agenda = Agenda::new(&self.field, fertile);
+        while let Some(moment) = agenda.pop() {
+            let count = self.field.tracks.len();
+            self.settle(&moment);
+            if self.field.tracks.len() == count {
+                continue;
             }
             // Whoever is born may get in the way of any of them.
-            cluster = self.settle_in_order(fertile.concat(), true);
-            cluster.extend(sterile.into_iter().flatten());
-            self.gather(&mut cluster, &mut high);
-            cluster.retain(|hit| self.field.moves(hit.who));
+            let mut fresh = Vec::new();
+            self.gather(&mut fresh, &mut high);
+            for hit in fresh {
+                for who in std::iter::once(hit.who).chain(hit.on.other()) {
+                    let group = group_of.binary_search_by_key(&who, |&(who, _)| who);
+                    if let Ok(at) = group
+                        && let Some(hits) = sterile[group_of[at].1].take()
+                    {
+                        hits.into_iter()
+                            .for_each(|hit| agenda.add(&self.field, hit));
+                    }
+                }
+                agenda.add(&self.field, hit);
+            }
         }
-        !(self.hits.is_empty() && self.steps.is_empty())
+        for hits in sterile.into_iter().flatten() {
+            let mut agenda = Agenda::new(&self.field, hits);
+            while let Some(moment) = agenda.pop() {
+                self.settle(&moment);
+            }
+        }
+        true
     }
 
-    /// Adds to a cluster the hits whose bounds overlap it, whose upper bound is told, or the first of all.
+    /// Takes the hits whose bounds overlap those of a cluster, whose upper bound is told, or the first of all if there is none.
     fn gather(&mut self, cluster: &mut Vec<Hit>, high: &mut f64) {
+        let is_first = *high == f64::NEG_INFINITY;
         loop {
             let next = self
                 .hits
@@ -121,11 +164,12 @@ impl<'a, G: Ground> Race<'a, G> {
                 self.hits.pop();
                 continue;
             }
-            let next = next.filter(|(_, bounds)| cluster.is_empty() || bounds.low <= *high);
+            let is_first = is_first && cluster.is_empty();
+            let next = next.filter(|(_, bounds)| is_first || bounds.low <= *high);
             // All that may be found up to there has to be found before.
             let until = match next {
                 Some((_, bounds)) => high.max(bounds.high),
-                None if cluster.is_empty() => f64::INFINITY,
+                None if is_first => f64::INFINITY,
                 None => *high,
             };
             if let Some(&Reverse(step)) = self.steps.peek()
@@ -151,7 +195,7 @@ impl<'a, G: Ground> Race<'a, G> {
     ///
     /// A hit depends on those of the same motorcycle, and on those of the other one that it runs into, unless that
     /// one was there before the cluster began.
-    fn components(&self, cluster: &[Hit]) -> (Vec<Vec<Hit>>, Vec<Vec<Hit>>) {
+    fn groups(&self, cluster: &[Hit]) -> Groups {
         let low = cluster
             .iter()
             .map(|hit| hit.bounds.low)
@@ -177,10 +221,20 @@ impl<'a, G: Ground> Race<'a, G> {
             })
             .collect();
         hits.sort_by_key(|(component, _)| *component);
-        let groups = hits.chunk_by(|a, b| a.0 == b.0);
+        let mut groups = Groups::default();
+        for hits in hits.chunk_by(|a, b| a.0 == b.0) {
+            let hits = || hits.iter().map(|(_, hit)| *hit);
+            if hits().any(|hit| self.is_fertile(&hit)) {
+                groups.fertile.extend(hits());
+            } else {
+                let number = groups.sterile.len();
+                groups.group_of.extend(hits().map(|hit| (hit.who, number)));
+                groups.sterile.push(hits().collect());
+            }
+        }
+        groups.group_of.sort_unstable();
+        groups.group_of.dedup();
         groups
-            .map(|group| group.iter().map(|(_, hit)| *hit).collect::<Vec<_>>())
-            .partition(|group| group.iter().any(|hit| self.is_fertile(hit)))
     }
 
     /// Whether somebody may be born where two meet: if it is between them.
@@ -193,32 +247,6 @@ impl<'a, G: Ground> Race<'a, G> {
             && [[a, b], [b, a]]
                 .iter()
                 .any(|members| births::is_born(self.field.planes, members))
-    }
-
-    /// Settles hits moment by moment; until somebody is born, if that is wanted. Returns those that are left.
-    fn settle_in_order(&mut self, mut hits: Vec<Hit>, until_birth: bool) -> Vec<Hit> {
-        let at = |hit: &Hit| (hit.place, hit.bounds);
-        let field = &self.field;
-        let order = |p: &Hit, q: &Hit| {
-            let (p, q) = (at(p), at(q));
-            field.compare((&p.0, p.1), (&q.0, q.1))
-        };
-        if hits.len() > 1 {
-            hits.sort_by(order);
-        }
-        let sizes: Vec<usize> = (hits.chunk_by(|p, q| order(p, q).is_eq()))
-            .map(<[Hit]>::len)
-            .collect();
-        let mut from = 0;
-        for size in sizes {
-            let (batch, count) = (&hits[from..from + size], self.field.tracks.len());
-            self.settle(batch);
-            from += size;
-            if until_birth && self.field.tracks.len() > count {
-                break;
-            }
-        }
-        hits.split_off(from)
     }
 
     /// Whether what is hit is there.
@@ -249,7 +277,7 @@ impl<'a, G: Ground> Race<'a, G> {
                     continue;
                 }
             };
-            self.end(hit.who, crash, hit.place);
+            self.end(&hit, crash);
         }
         rivals.sort_by_key(|(group, hit)| (*group, hit.who));
         for group in rivals.chunk_by(|a, b| a.0 == b.0) {
@@ -257,10 +285,12 @@ impl<'a, G: Ground> Race<'a, G> {
         }
     }
 
-    fn end(&mut self, who: u32, crash: Crash, place: Place) {
-        let track = &mut self.field.tracks[who as usize];
+    fn end(&mut self, hit: &Hit, crash: Crash) {
+        let who = hit.who as usize;
+        let track = &mut self.field.tracks[who];
         track.crash = crash;
-        track.end = Some(place);
+        track.end = Some(hit.place);
+        self.field.until[who] = self.field.until[who].min(hit.bounds.high);
     }
 
     /// Ends those who meet, and starts who is born there.
@@ -270,7 +300,7 @@ impl<'a, G: Ground> Race<'a, G> {
         members.dedup();
         assert!(members.len() > 1, "motorcycle {} meets nobody", members[0]);
         for &(_, hit) in group {
-            self.end(hit.who, Crash::Meeting(number), hit.place);
+            self.end(&hit, Crash::Meeting(number));
         }
         let place = group[0].1.place;
         let pairs: Vec<_> = (members.iter())
@@ -296,11 +326,7 @@ impl<'a, G: Ground> Race<'a, G> {
             child,
         });
         if let Some(child) = child {
-            let mut cells: Vec<u32> = group.iter().map(|(_, hit)| hit.cell).collect();
-            cells.sort_unstable();
-            cells.dedup();
-            self.ground
-                .start(&self.field, child, &cells, &mut self.found);
+            self.ground.start(&self.field, child, &mut self.found);
             self.file();
         }
     }

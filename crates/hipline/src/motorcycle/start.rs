@@ -8,27 +8,17 @@ use crate::{
     topology::{EdgeId, VertexId},
 };
 
-/// The triangle and the corner at which a sector begins, and the reflex vertex in it.
-pub(super) struct Sector {
-    /// The triangle to the left of the wavefront edge that starts in the sector.
-    pub triangle: u32,
-    /// Which of its corners is the vertex.
-    pub corner: usize,
-    /// The motorcycle.
-    pub track: Track,
-}
-
-pub(super) const fn next(k: usize) -> usize {
+const fn next(k: usize) -> usize {
     (k + 1) % 3
 }
 
-pub(super) const fn prev(k: usize) -> usize {
+const fn prev(k: usize) -> usize {
     (k + 2) % 3
 }
 
 /// Across the side with number `k` of a triangle: the plane of the side of the figure's edge
 /// that faces the triangle, if there is an edge.
-pub(super) fn facing(figure: &Figure, triangle: usize, k: usize) -> Option<PlaneId> {
+fn facing(figure: &Figure, triangle: usize, k: usize) -> Option<PlaneId> {
     let mesh = figure.mesh();
     let edge = mesh.across[triangle][k].edge?;
     let from = figure.edges()[edge as usize].from.index() as u32;
@@ -37,7 +27,7 @@ pub(super) fn facing(figure: &Figure, triangle: usize, k: usize) -> Option<Plane
 }
 
 /// The neighbour across the side with number `k` of a triangle and the number of that side there.
-pub(super) fn across(mesh: &Mesh, triangle: usize, k: usize) -> (usize, usize) {
+fn across(mesh: &Mesh, triangle: usize, k: usize) -> (usize, usize) {
     let other = mesh.across[triangle][k].neighbour as usize;
     let from = mesh.corners[triangle][next(k)];
     let corner = mesh.corners[other]
@@ -72,7 +62,7 @@ pub(super) fn check(figure: &Figure) -> Result<(), NotApplicable> {
 }
 
 /// The reflex vertices, one for each sector of more than 180 degrees, in the order of vertices.
-pub(super) fn sectors(figure: &Figure, planes: &Planes) -> Vec<Sector> {
+pub(super) fn starters(figure: &Figure, planes: &Planes) -> Vec<Track> {
     let mesh = figure.mesh();
     let mut found = Vec::new();
     for (t, corners) in mesh.corners.iter().enumerate() {
@@ -89,30 +79,19 @@ pub(super) fn sectors(figure: &Figure, planes: &Planes) -> Vec<Sector> {
                 continue;
             }
             let vertex = VertexId::new(vertex as usize);
-            found.push(Sector {
-                triangle: t as u32,
-                corner,
-                track: Track {
-                    pair: [out, inn],
-                    origin: Origin::Vertex(vertex),
-                    start: Place::Vertex(figure.vertices()[vertex.index()]),
-                    crash: Crash::Escape,
-                    end: None,
-                },
-            });
+            let pair = [out, inn];
+            let track = Track {
+                pair,
+                origin: Origin::Vertex(vertex),
+                start: Place::Vertex(figure.vertices()[vertex.index()]),
+                crash: Crash::Escape,
+                end: None,
+            };
+            found.push((vertex, pair, track));
         }
     }
-    found.sort_by_key(|sector| (sector.vertex(), sector.track.pair));
-    found
-}
-
-impl Sector {
-    fn vertex(&self) -> VertexId {
-        match self.track.origin {
-            Origin::Vertex(vertex) => vertex,
-            _ => unreachable!("sectors are at vertices"),
-        }
-    }
+    found.sort_unstable_by_key(|&(vertex, pair, _)| (vertex, pair));
+    found.into_iter().map(|(_, _, track)| track).collect()
 }
 
 /// Counterclockwise around a corner of a triangle: the plane of the edge at which the sector ends.

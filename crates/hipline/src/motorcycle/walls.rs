@@ -2,25 +2,75 @@
 
 use super::{
     field::Field,
-    hits::{Found, Hit, Obstacle},
+    hits::{Hit, Obstacle},
+    tracks::Origin,
+    way::Stay,
 };
 use crate::{
     input::Figure,
-    predicates::{Bounds, Place, PlaneId, Rail},
+    predicates::{Bounds, Place, PlaneId, Planes, Rail},
     topology::VertexId,
 };
-use hipline_num::Sign;
+use hipline_num::{Rough, Sign};
+
+/// What stands still.
+pub(super) enum Standing<'a> {
+    Edges(Edges<'a>),
+    Walls(Vec<Segment>),
+}
+
+impl Standing<'_> {
+    /// How many walls there are.
+    pub(super) fn len(&self) -> usize {
+        match self {
+            Self::Edges(edges) => edges.figure.edges().len(),
+            Self::Walls(walls) => walls.len(),
+        }
+    }
+
+    /// The ends of a wall.
+    pub(super) fn ends(&self, wall: usize) -> [[f64; 2]; 2] {
+        match self {
+            Self::Edges(edges) => {
+                let ends = edges.figure.edges()[wall];
+                [ends.from, ends.to].map(|v| edges.figure.vertices()[v.index()])
+            }
+            Self::Walls(walls) => walls[wall].ends,
+        }
+    }
+
+    /// Finds where a motorcycle gets to a wall, its ends among it; what it does at other times than
+    /// those told need not be found.
+    pub(super) fn hits(
+        &self,
+        field: &Field,
+        who: u32,
+        wall: usize,
+        stay: Stay,
+        found: &mut Vec<Hit>,
+    ) {
+        let during = |hit: &Hit| hit.bounds.high >= stay[0] && hit.bounds.low <= stay[1];
+        match self {
+            Self::Edges(edges) => {
+                found.extend((edges.hits(field, who, wall).into_iter().flatten()).filter(during))
+            }
+            Self::Walls(walls) => found.extend(walls[wall].hit(field, who).filter(during)),
+        }
+    }
+}
 
 /// The edges of a figure, and which ones there are at each vertex.
 pub(super) struct Edges<'a> {
     figure: &'a Figure,
+    /// The vertices, roughly.
+    places: Vec<[Rough; 2]>,
     /// Where the list of each vertex starts in `edges`.
     first: Vec<u32>,
     edges: Vec<u32>,
 }
 
 impl<'a> Edges<'a> {
-    pub(super) fn new(figure: &'a Figure) -> Self {
+    pub(super) fn new(figure: &'a Figure, planes: &Planes) -> Self {
         let mut first = vec![0_u32; figure.vertices().len() + 1];
         let ends = || figure.edges().iter().map(|edge| [edge.from, edge.to]);
         for v in ends().flatten() {
@@ -37,26 +87,18 @@ impl<'a> Edges<'a> {
                 next[v.index()] += 1;
             }
         }
+        let places = figure.vertices().iter();
         Self {
             figure,
+            places: places.map(|&vertex| planes.rough_vertex(vertex)).collect(),
             first,
             edges,
         }
     }
 
-    pub(super) const fn figure(&self) -> &'a Figure {
-        self.figure
-    }
-
     /// The hit of a motorcycle on a vertex of its path, if that lies ahead. (None either if all edges
     /// there are along the path: then their other ends come before.)
-    pub(super) fn hit_vertex(
-        &self,
-        field: &Field,
-        who: u32,
-        vertex: VertexId,
-        cell: u32,
-    ) -> Option<Hit> {
+    fn hit_vertex(&self, field: &Field, who: u32, vertex: VertexId) -> Option<Hit> {
         let pair = field.tracks[who as usize].pair;
         let [from, to] = [0, 1].map(|k| self.first[vertex.index() + k] as usize);
         // Any edge there that is not parallel to the path tells when it is reached.
@@ -73,13 +115,12 @@ impl<'a> Edges<'a> {
             place,
             bounds,
             there: None,
-            cell,
         })
     }
 
     /// The hit of a motorcycle on the inside of an edge that its path crosses, if that lies
     /// ahead.
-    pub(super) fn hit_edge(&self, field: &Field, who: u32, edge: u32, cell: u32) -> Option<Hit> {
+    fn hit_edge(&self, field: &Field, who: u32, edge: u32) -> Option<Hit> {
         let pair = field.tracks[who as usize].pair;
         let plane = PlaneId(2 * edge);
         let place = Place::On {
@@ -94,27 +135,38 @@ impl<'a> Edges<'a> {
             place,
             bounds,
             there: None,
-            cell,
         })
     }
 
-    /// Finds where a motorcycle gets to an edge, its ends among it.
-    pub(super) fn hits(&self, field: &Field, who: u32, edge: usize, found: &mut Found) {
-        let pair = field.tracks[who as usize].pair;
-        let ends = self.figure.edges()[edge];
-        let ends = [ends.from, ends.to];
-        let sides = ends.map(|v| {
+    /// On which side of a motorcycle's path a vertex is: the left is positive.
+    fn side(&self, field: &Field, who: u32, vertex: VertexId) -> Sign {
+        let lane = &field.lanes[who as usize];
+        lane.side(&self.places[vertex.index()]).unwrap_or_else(|| {
+            let pair = field.tracks[who as usize].pair;
             field
                 .planes
-                .side_of_path(self.figure.vertices()[v.index()], pair)
-        });
-        for k in 0..2 {
-            if sides[k].is_zero() {
-                found.hits.extend(self.hit_vertex(field, who, ends[k], 0));
-            }
+                .side_of_path(self.figure.vertices()[vertex.index()], pair)
+        })
+    }
+
+    /// Where a motorcycle gets to an edge: to one of its ends, or to its inside.
+    fn hits(&self, field: &Field, who: u32, edge: usize) -> [Option<Hit>; 2] {
+        let ends = self.figure.edges()[edge];
+        let ends = [ends.from, ends.to];
+        // It starts in a sector without edges.
+        if let Origin::Vertex(start) = field.tracks[who as usize].origin
+            && ends.contains(&start)
+        {
+            return [None; 2];
         }
-        if (sides[0] * sides[1]).is_negative() {
-            found.hits.extend(self.hit_edge(field, who, edge as u32, 0));
+        let sides = ends.map(|v| self.side(field, who, v));
+        match sides[0] * sides[1] {
+            Sign::Positive => [None; 2],
+            Sign::Negative => [self.hit_edge(field, who, edge as u32), None],
+            Sign::Zero => [0, 1].map(|k| {
+                let hit = || self.hit_vertex(field, who, ends[k]);
+                sides[k].is_zero().then(hit).flatten()
+            }),
         }
     }
 }
@@ -144,7 +196,7 @@ pub(super) struct Segment {
 impl Segment {
     /// Where a motorcycle gets to the wall. It does not see a wall on which it starts, unless it runs
     /// along it.
-    pub(super) fn hit(&self, field: &Field, who: u32, cell: u32) -> Option<Hit> {
+    fn hit(&self, field: &Field, who: u32) -> Option<Hit> {
         let track = &field.tracks[who as usize];
         let pair = track.pair;
         let sides = self.ends.map(|end| field.planes.side_of_path(end, pair));
@@ -163,7 +215,6 @@ impl Segment {
             place,
             bounds,
             there: None,
-            cell,
         })
     }
 

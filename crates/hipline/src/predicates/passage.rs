@@ -6,7 +6,7 @@
 //! `t (u x1 + v y1) = z m - u x0 - v y0`. So such a moment, too, is a quotient of sums of roots of
 //! the input: of products of two at most.
 
-use hipline_num::{Ball, BallDd, Number, Rough, Sign};
+use hipline_num::{Ball, BallDd, Number, Rough, Sign, Wide};
 use std::cmp::Ordering;
 
 use super::{
@@ -211,16 +211,6 @@ impl Lane {
         self.z.times(&other.m).minus(&ahead).sign()
     }
 
-    /// When the vertex passes the line through two points.
-    pub(crate) fn pass(&self, p: &[Rough; 2], q: &[Rough; 2]) -> Bounds {
-        let [u, v] = [p[1].minus(&q[1]), q[0].minus(&p[0])];
-        let z = u.times(&p[0]).plus(&v.times(&p[1]));
-        let here = u.times(&self.x[0]).plus(&v.times(&self.y[0]));
-        let speed = u.times(&self.x[1]).plus(&v.times(&self.y[1]));
-        let time = z.times(&self.m).minus(&here);
-        bounds(&time.ball().div(&speed.ball()))
-    }
-
     /// Where two paths cross.
     pub(crate) fn cross(&self, o: &Self) -> Crossing {
         // The line of a path is y1 x - x1 y = z.
@@ -271,8 +261,7 @@ impl Planes {
         if near.error() <= near.value().abs() / f64::from(1 << 30) {
             return bounds(&near);
         }
-        let [p, q] = time::<BallDd>(self, place);
-        let t = p.div(&q);
+        let t = self.near_time(place);
         if t.error().is_finite() {
             Bounds {
                 low: t.lower(),
@@ -281,6 +270,20 @@ impl Planes {
         } else {
             EVER
         }
+    }
+
+    /// The time of a place that is none of a ghost arc, in double-doubles; of 400 digits where paths are so nearly
+    /// parallel that theirs are not enough.
+    pub(crate) fn near_time(&self, place: &Place) -> BallDd {
+        let [p, q] = time::<BallDd>(self, place);
+        let near = p.div(&q);
+        if near.error() <= near.value().abs() / (1_u64 << 50) as f64 {
+            return near;
+        }
+        let [p, q] = time::<Wide>(self, place);
+        // These have no shift.
+        let unit = self.time_unit - self.rough_time_unit();
+        p.div(&q).to_ball_dd().ldexp(unit)
     }
 
     /// Compares the times of two places that are none of a ghost arc. Exact.
