@@ -120,7 +120,8 @@ fn a_wrong_reason_is_seen() {
 fn numbers_that_are_off_by_one_digit_are_seen() {
     let not_rounded = GraphViolation::NotRounded { motorcycle: id(1) };
     let next = |x: &mut f64| *x = x.next_up();
-    let changes: [fn(&mut MotorcycleGraph, fn(&mut f64)); 6] = [
+    type Change = fn(&mut MotorcycleGraph, fn(&mut f64));
+    let changes: [Change; 6] = [
         |graph, next| next(&mut graph.motorcycles[1].start.x),
         |graph, next| next(&mut graph.motorcycles[1].start.time),
         |graph, next| next(&mut graph.motorcycles[1].velocity[1]),
