@@ -11,9 +11,8 @@
 //! * No trapezoidation, and no rotation: faces are monotone in time, which serves instead.
 //! * Edges along the levels are taken as they are, and so is what they lead to: edges that meet face to face, within
 //!   a chain or across both, and edges of both chains on one plane.
-//! * Theorem 8 does not hold with weights: what was cut off may get ahead of what cut it off, in its own chain.
-//!   The merge finds that out, but for rare cases at one moment; until these are known, polygons with different speeds
-//!   are refused. (Chains have any positive speeds.)
+//! * Theorem 8 does not hold with weights: what was cut off may come back in its own chain. The merge finds that
+//!   out, and refuses. (Chains have any positive speeds.)
 
 mod boundary;
 mod chain;
@@ -55,11 +54,8 @@ fn refusal(figure: &Figure, region: Region) -> Option<NotApplicable> {
     }
     let changes = figure.changes().first().map(|change| change.edge);
     let still = edges.iter().position(|edge| edge.speeds.contains(&0.0));
-    // In rare cases with different speeds the merge does not notice that what was cut off comes back.
-    #[expect(clippy::float_cmp, reason = "asks for the very same number")]
-    let other = edges.iter().position(|edge| edge.speeds != edges[0].speeds);
     changes
-        .or(still.or(other).map(EdgeId::new))
+        .or(still.map(EdgeId::new))
         .map(|edge| NotApplicable::Speed { edge })
 }
 
