@@ -18,7 +18,6 @@ mod boundary;
 mod chain;
 mod chains;
 mod merge;
-mod queue;
 mod split;
 mod straight;
 
@@ -95,10 +94,7 @@ pub(crate) fn skeleton(figure: &Figure, region: Region) -> Result<Skeleton, NotA
 
 /// The result.
 fn finish(figure: &Figure, chains: Chains, mut stats: Stats) -> Skeleton {
-    let Chains {
-        planes, mut front, ..
-    } = chains;
-    join_faces(&mut front);
+    let (planes, front) = (chains.planes, chains.into_front());
     let rungs = planes.rungs.get();
     stats.by_f64 = rungs.by_f64;
     stats.by_double_double = rungs.by_double_double;
@@ -129,12 +125,19 @@ fn merge_chains(chains: &mut Chains, starts: &[Start; 2]) -> Result<(), Trouble>
     Merge::run(chains, rays, west, east, starts[0].planes[0])
 }
 
+impl Chains<'_> {
+    /// What the propagation and the merge leave behind; all else is forgotten.
+    fn into_front(mut self) -> Wavefront {
+        if self.ghosts {
+            join_faces(&mut self.front);
+        }
+        self.front
+    }
+}
+
 /// Faces whose boundaries are linked, by ghosts, are joint. (What was joined in a chain may have been cut off since,
 /// so that is not to be asked.)
 fn join_faces(front: &mut Wavefront) {
-    if !front.traces.iter().any(|trace| trace.end == End::Ghost) {
-        return;
-    }
     let mut wave_of = vec![WaveId::raw(0); front.after_base.len()];
     for (w, wave) in front.waves.iter().enumerate() {
         wave_of[wave.face as usize] = WaveId::new(w);
