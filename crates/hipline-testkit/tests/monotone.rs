@@ -158,11 +158,15 @@ fn weighted_polygons_agree_or_are_refused() {
         if cfg!(debug_assertions) { 500 } else { 20_000 },
     );
     let refused = agrees(monotone_weighted, 20_000);
-    assert!(refused < cases / 4, "{refused} of {cases} are refused");
+    // About a fifth; of a few cases it may be all.
+    assert!(refused < 25 + cases / 4, "{refused} of {cases} are refused");
 }
 
-/// What went wrong once: the ring, and the speeds of its edges, or nothing if they are all one.
-const NAMED: [(&str, &[[i32; 2]], &[f64]); 8] = [
+/// What it is about, the ring, and the speeds of its edges, or nothing if they are all one.
+type Named = (&'static str, &'static [[i32; 2]], &'static [f64]);
+
+/// What went wrong once.
+const NAMED: [Named; 9] = [
     (
         "a face of one plane in both chains, and a ridge of one height that cuts it short",
         &[
@@ -235,6 +239,11 @@ const NAMED: [(&str, &[[i32; 2]], &[f64]); 8] = [
             [5, 6],
         ],
         &[3.0, 1.0, 1.0, 1.0, 3.0, 1.0, 2.0, 3.0, 1.0],
+    ),
+    (
+        "three planes with a line in common, along the merge chain",
+        &[[0, 5], [10, 0], [12, 1], [8, 4], [6, 8]],
+        &[1.0, 3.0, 1.0, 1.0, 1.0],
     ),
     (
         "an edge that was cut off comes back",

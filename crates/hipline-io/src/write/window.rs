@@ -189,7 +189,8 @@ impl Window {
         };
         let n = boundary.len();
         // An infinite node repeats the place of the other end of its arc. Between it and the other neighbour lies the ray.
-        let before = place(node(i + n - 1)) != place(node(i));
+        let bits = |k: usize| place(node(k)).map(f64::to_bits);
+        let before = bits(i + n - 1) != bits(i);
         let (tip, inner, at) = if before {
             (i + n - 1, i + n - 2, i)
         } else {

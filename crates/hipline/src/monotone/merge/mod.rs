@@ -261,8 +261,9 @@ impl<'c, 'a> Merge<'c, 'a> {
     /// cursor is up to a time; it must stay on its side.
     ///
     /// Where the merge chain goes back in time, the part of the face beside it is there until it is cut off; so the
-    /// boundary must not even touch it before: where it does, the wavefront edge has length zero in the polygon, and is
-    /// gone, though it goes on in its chain. Where the merge chain goes on in time, what touches it was cut off before.
+    /// boundary must not even touch it before, nor run along it: where it does, the wavefront edge has length zero in the
+    /// polygon, and is gone, though it goes on in its chain. Where the merge chain goes on in time, what touches it was
+    /// cut off before.
     fn check_west(
         &self,
         cursor: &mut Cursor,
@@ -291,7 +292,8 @@ impl<'c, 'a> Merge<'c, 'a> {
                 } {
                     let side = self.chains.ahead(node, plane);
                     let time = self.chains.time_of(node);
-                    let inside = order.is_ne() && self.chains.compare(&time, &self.now).is_ne();
+                    let is_later = order.is_ne() || until.moment != Moment::Start;
+                    let inside = is_later && self.chains.compare(&time, &self.now).is_ne();
                     if side == wrong || side.is_zero() && !forward && inside {
                         return self.trouble();
                     }
@@ -310,8 +312,11 @@ impl<'c, 'a> Merge<'c, 'a> {
                 }
             }
             let proper = !trace.turn.is_zero() && until.moment != Moment::Start;
-            if proper && self.chains.planes.lead(&until.moment, trace.pair, plane) == wrong {
-                return self.trouble();
+            if proper {
+                let side = self.chains.planes.lead(&until.moment, trace.pair, plane);
+                if side == wrong || side.is_zero() && !forward {
+                    return self.trouble();
+                }
             }
             return Ok(());
         }
