@@ -241,6 +241,11 @@ pub struct SkeletonArgs {
     pub gables: GableArgs,
     #[command(flatten)]
     pub compute: ComputeArgs,
+
+    /// Take lines as monotone chains whose ends go on for ever; one side of them
+    #[arg(long, value_name = "SIDE", conflicts_with_all = ["side", "modified"])]
+    pub chain: Option<ChainArg>,
+
     #[command(flatten)]
     pub output: OutputArgs,
     #[command(flatten)]

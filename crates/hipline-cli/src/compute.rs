@@ -10,7 +10,7 @@ use std::{
 
 use hipline::{
     Chain, Figure, Region, Skeleton,
-    skeleton::{InputGraph, Side, Stats},
+    skeleton::{InputGraph, Stats},
 };
 use hipline_io::FeatureName;
 use indicatif::{ProgressBar, ProgressStyle};
@@ -35,24 +35,19 @@ pub struct Computed<T = Skeleton> {
 /// A job with fewer points has no progress bar.
 const LONG: usize = 20_000;
 
-/// The skeletons of all items, in their order.
-pub fn skeletons(items: &[Item], compute: ComputeArgs) -> Vec<Computed> {
-    each(items, |item, figure| match figure {
-        Some(figure) => skeleton(item, figure, compute),
-        None => Ok(empty(compute.region())),
+/// The skeletons of all items, in their order; of one side of them, if they are chains.
+pub fn skeletons(items: &[Item], compute: ComputeArgs, chain: Option<ChainArg>) -> Vec<Computed> {
+    each(items, |item, figure| match (figure, chain) {
+        (Some(figure), Some(side)) => Chain::new(figure)
+            .and_then(|chain| chain.skeleton(side.into()))
+            .map_err(|reason| reason.to_string()),
+        (Some(figure), None) => skeleton(item, figure, compute),
+        (None, _) => Ok(empty(compute.region())),
     })
 }
 
 /// The skeleton of an item, if the engine applies, and every edge was reached at its own heights, or need not.
 pub fn skeleton(item: &Item, figure: &Figure, compute: ComputeArgs) -> Result<Skeleton, String> {
-    if let Some(side) = compute.chain {
-        let side = match side {
-            ChainArg::Left => Side::Left,
-            ChainArg::Right => Side::Right,
-        };
-        let chain = Chain::new(figure).and_then(|chain| chain.skeleton(side));
-        return chain.map_err(|reason| reason.to_string());
-    }
     let skeleton = figure
         .skeleton_by(compute.engine.into(), compute.options())
         .map_err(|reason| reason.to_string())?;

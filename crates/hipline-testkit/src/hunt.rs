@@ -63,7 +63,7 @@ fn failure_of(
 }
 
 /// Whether an edge is overrun at time zero: then an arc covers its base from vertex to vertex, and
-/// [`Skeleton::verify`] does not know such arcs.
+/// [`Skeleton::verify`] does not know two such arcs between the same vertices.
 #[must_use]
 pub fn overruns_at_zero(skeleton: &Skeleton) -> bool {
     let vertices = skeleton.input().vertices;

@@ -1,7 +1,10 @@
 //! The options of all commands that compute skeletons.
 
 use clap::{Args as Group, ValueEnum};
-use hipline::{Engine, Region, skeleton::Options};
+use hipline::{
+    Engine, Region,
+    skeleton::{Options, Side},
+};
 
 /// How skeletons are computed.
 #[derive(Debug, Clone, Copy, Group)]
@@ -18,10 +21,6 @@ pub struct ComputeArgs {
     /// angles: the modified skeleton. Not with weights or heights
     #[arg(long)]
     pub modified: bool,
-
-    /// Take lines as monotone chains whose ends go on for ever; one side of them
-    #[arg(long, value_name = "SIDE", conflicts_with = "side")]
-    pub chain: Option<ChainArg>,
 
     /// Print counts and times to standard error
     #[arg(long)]
@@ -61,13 +60,22 @@ pub enum ChainArg {
     Right,
 }
 
+impl From<ChainArg> for Side {
+    fn from(side: ChainArg) -> Self {
+        match side {
+            ChainArg::Left => Self::Left,
+            ChainArg::Right => Self::Right,
+        }
+    }
+}
+
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub enum EngineArg {
     /// The fastest one that applies
     Auto,
     /// The kinetic triangulation
     Kinetic,
-    /// Monotone polygons without weights
+    /// Monotone polygons; with weights, if the chains allow for it
     Monotone,
     /// Orthogonal monotone polygons, in linear time
     Orthogonal,

@@ -25,7 +25,7 @@ pub fn run(args: &SkeletonArgs) -> Result<Outcome, Failure> {
     let document = input::weighted(&args.input, &args.gables)?;
     let items = Item::all(&document, args.input.together);
     watch.lap("read");
-    let computed = skeletons(&items, args.compute);
+    let computed = skeletons(&items, args.compute, args.chain);
     watch.lap("compute");
     let outcome = report_errors(&computed);
     if !is_hopeless(&computed) {

@@ -174,7 +174,42 @@ impl Window {
 
     /// What is seen of a face: one boundary, counterclockwise as given.
     pub(super) fn clip_face(&self, skeleton: &Skeleton, boundary: &[NodeId]) -> Vec<[f64; 2]> {
-        self.clip_polygon(&self.outline(skeleton, boundary))
+        let mut outline = self.outline(skeleton, boundary);
+        self.prolong(skeleton, boundary, &mut outline);
+        self.clip_polygon(&outline)
+    }
+
+    /// The first and the last face of a chain have one node at infinity: the other way out is along the ray
+    /// that their base is.
+    fn prolong(&self, skeleton: &Skeleton, boundary: &[NodeId], outline: &mut Vec<[f64; 2]>) {
+        let node = |i: usize| skeleton.node(boundary[i % boundary.len()]);
+        let mut infinite = (0..boundary.len()).filter(|&i| node(i).time.is_infinite());
+        let (Some(i), None) = (infinite.next(), infinite.next()) else {
+            return;
+        };
+        let n = boundary.len();
+        // An infinite node repeats the place of the other end of its arc. Between it and the other neighbour lies the ray.
+        let bits = |k: usize| place(node(k)).map(f64::to_bits);
+        let before = bits(i + n - 1) != bits(i);
+        let (tip, inner, at) = if before {
+            (i + n - 1, i + n - 2, i)
+        } else {
+            (i + 1, i + 2, i + 1)
+        };
+        let [tip, inner] = [tip, inner].map(|k| place(node(k)));
+        let length = (tip[0] - inner[0]).abs() + (tip[1] - inner[1]).abs();
+        if length <= 0.0 {
+            return;
+        }
+        // Far enough for what lies beyond to be out of sight.
+        const FAR: f64 = 64.0;
+        let far = FAR * (self.width() + self.height()) / length;
+        let far = [0, 1].map(|k| (tip[k] - inner[k]) * far);
+        let moved = outline[i];
+        let corner = [moved[0] + far[0], moved[1] + far[1]];
+        let end = [tip[0] + far[0], tip[1] + far[1]];
+        let points = if before { [end, corner] } else { [corner, end] };
+        outline.splice(at..at, points);
     }
 
     /// A boundary with its infinite nodes moved to where the wavefront is at a moment late

@@ -21,7 +21,7 @@ pub enum Engine {
     /// The kinetic triangulation (Aichholzer & Aurenhammer 1996). Applies to everything.
     Kinetic,
     /// Two chains and their merge (Biedl and others, 2015). Applies to the inside of monotone
-    /// polygons, with one positive speed for all edges.
+    /// polygons with positive speeds, if what one chain cuts off never comes back in the other.
     Monotone,
     /// Skeletons of two chains, merged (Eder, Held & Palfrader 2019), in linear time. Applies to the inside of one polygon without
     /// holes that is monotone and whose edges are parallel to the axes and of speed 1.
@@ -53,8 +53,8 @@ pub enum NotApplicable {
     /// The ring is monotone in no direction, or touches itself.
     #[error("the polygon is not monotone in any direction")]
     NotMonotone,
-    /// Speeds let one of a polygon's two chains run over what the other one has cut off.
-    #[error("with these speeds, the chain of edge {} gets ahead of what the other chain cut off", .edge.index())]
+    /// In one of a polygon's two chains alone, what the other one has cut off comes back, so that they cannot be merged.
+    #[error("what the other chain has cut off comes back in the chain of edge {}", .edge.index())]
     RunsAhead {
         /// An edge there, as the figure numbers them.
         edge: EdgeId,
@@ -133,7 +133,7 @@ impl Figure {
     }
 
     /// The skeleton by the engine for monotone polygons. Where edges lie along the levels, which is where it has been
-    /// seen to fail, it has to prove its result, or at least obey the laws.
+    /// seen to fail, it has to prove its result, or, with weights, obey the laws.
     fn monotone_skeleton(&self, region: Region) -> Result<Skeleton, NotApplicable> {
         let skeleton = monotone::skeleton(self, region)?;
         let is_right = monotone::is_strict(self)

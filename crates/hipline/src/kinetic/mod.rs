@@ -20,7 +20,6 @@
 mod acute;
 mod change;
 mod eaves;
-mod queue;
 mod resolve;
 mod schedule;
 mod setup;
@@ -36,10 +35,9 @@ use crate::{
     predicates::{Bounds, Moment, Planes, Terminal},
     skeleton::{Region, Skeleton, Stats, assemble, merge},
     topology::{TraceId, TriangleId},
-    wavefront::{End, Wavefront},
+    wavefront::{End, Queue, Wavefront},
 };
 use change::Changes;
-use queue::Queue;
 use schedule::Agenda;
 use triangulation::Triangulation;
 
@@ -51,7 +49,7 @@ struct Kinetic<'a> {
     terminals: Vec<Terminal>,
     triangulation: Triangulation,
     front: Wavefront,
-    queue: Queue,
+    queue: Queue<TriangleId>,
     /// For each triangle in the queue, when it collapses.
     agenda: Agenda,
     now: Moment,

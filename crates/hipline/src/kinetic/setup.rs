@@ -8,7 +8,6 @@
 use super::{
     Batch, Kinetic,
     change::Changes,
-    queue::Queue,
     schedule::Agenda,
     triangulation::{Across, Spokes, Tip, Triangle, Triangulation, next, prev},
 };
@@ -17,7 +16,7 @@ use crate::{
     predicates::{Bounds, Moment, PlaneId, Planes, Terminal},
     skeleton::{Region, Stats},
     topology::{TraceId, TriangleId, WaveId},
-    wavefront::{End, Trace, Walk, Wave, Wavefront},
+    wavefront::{End, Queue, Trace, Walk, Wave, Wavefront},
 };
 use hipline_num::Sign;
 

@@ -139,8 +139,8 @@ impl Chains<'_> {
                 self.planes.lead(&Moment::Planes(moment), pair, plane)
             }
             None => {
-                let [x, y] = self.vertices[node as usize];
-                self.planes.ahead(&Place::Vertex([x, y]), plane)
+                let place = Place::Vertex(self.vertices[node as usize]);
+                self.planes.ahead(&place, plane)
             }
         }
     }
@@ -375,16 +375,6 @@ impl Chains<'_> {
         match self.trace(x).end {
             End::At(node) => Some(node),
             _ => None,
-        }
-    }
-
-    pub(super) fn place_of(&self, node: u32) -> Place {
-        match node.checked_sub(self.front.vertices) {
-            Some(event) => {
-                let EventNode { pair, moment } = self.front.events[event as usize];
-                Place::Event { pair, moment }
-            }
-            None => Place::Vertex(self.vertices[node as usize]),
         }
     }
 }

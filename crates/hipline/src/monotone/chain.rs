@@ -2,10 +2,7 @@
 
 use std::fmt;
 
-use super::{
-    chains::{Chains, NONE, Side as Course, Start, Trouble},
-    join_faces,
-};
+use super::chains::{Chains, NONE, Side as Course, Start, Trouble};
 use crate::{
     input::Figure,
     predicates::{PlaneId, Planes, turn},
@@ -113,7 +110,8 @@ impl<'a> Chain<'a> {
     /// It is a [`Skeleton`] of the line with the faces of that side only, and without terminals. The bases of
     /// the first and the last face are rays: where the boundary of such a face goes from the line's last
     /// vertex (or, before its first one, from infinity), it goes along the ray. Its region is
-    /// [`Region::Both`], though it covers one side.
+    /// [`Region::Both`], though it covers one side. What reads skeletons of whole regions is not made for it: its
+    /// wavefronts are open ([`Skeleton::offset`] does not apply), and [`Skeleton::verify`] misses the other side.
     ///
     /// # Errors
     /// If a ray vanishes at once, all of it; and for sides that a chain does not have.
@@ -151,13 +149,11 @@ impl<'a> Chain<'a> {
             edge_events: chains.events,
             ..Stats::default()
         };
-        let mut front = chains.front;
-        join_faces(&mut front);
         Ok(assemble(
             self.figure,
             &planes,
             &[],
-            front,
+            chains.into_front(),
             Region::Both,
             stats,
         ))

@@ -11,11 +11,10 @@
 
 use std::cmp::Ordering;
 
-use super::queue::Queue;
 use crate::{
     predicates::{Bounds, Moment, Place, PlaneId, Planes},
     topology::{TraceId, WaveId},
-    wavefront::{End, EventNode, Trace, Walk, Wave, Wavefront},
+    wavefront::{End, EventNode, Queue, Trace, Walk, Wave, Wavefront},
 };
 use hipline_num::Sign;
 
@@ -114,7 +113,9 @@ pub(super) struct Chains<'a> {
     pub bounds: Vec<Bounds>,
     /// For each wavefront edge, the planes that meet when it collapses.
     collapse: Vec<[PlaneId; 3]>,
-    pub queue: Queue,
+    queue: Queue<WaveId>,
+    /// Whether there are ghosts.
+    pub ghosts: bool,
     pub(super) now: Moment,
     pub(super) now_bounds: Bounds,
     /// The first node of this moment.
@@ -147,7 +148,8 @@ impl<'a> Chains<'a> {
             joins: Vec::new(),
             bounds: Vec::with_capacity(count),
             collapse: vec![[PlaneId(0); 3]; count],
-            queue: Queue::new(count),
+            queue: Queue::default(),
+            ghosts: false,
             now: Moment::Start,
             now_bounds: Bounds::START,
             first_node: 0,
@@ -158,6 +160,7 @@ impl<'a> Chains<'a> {
             events: 0,
             steps: 0,
         };
+        chains.queue.reset(count);
         chains.front.traces.reserve(3 * count);
         for start in starts {
             chains.add(start)?;
@@ -300,20 +303,23 @@ impl<'a> Chains<'a> {
         self.new_node(EventNode { pair, moment }, self.now_bounds)
     }
 
+    /// The place of a node.
+    pub(super) fn place_of(&self, node: u32) -> Place {
+        match node.checked_sub(self.front.vertices) {
+            Some(event) => {
+                let EventNode { pair, moment } = self.front.events[event as usize];
+                Place::Event { pair, moment }
+            }
+            None => Place::Vertex(self.vertices[node as usize]),
+        }
+    }
+
     /// The place of a vertex now.
     fn place_now(&self, x: TraceId) -> Place {
-        let trace = self.front.trace(x);
-        if trace.born >= self.first_node {
-            let EventNode { pair, moment } =
-                self.front.events[(trace.born - self.front.vertices) as usize];
-            return Place::Event { pair, moment };
-        }
-        let Moment::Planes(moment) = self.now else {
-            unreachable!("nothing vanishes at time zero")
-        };
-        Place::Event {
-            pair: trace.pair,
-            moment,
+        let Trace { born, pair, .. } = *self.front.trace(x);
+        match self.now {
+            Moment::Planes(moment) if born < self.first_node => Place::Event { pair, moment },
+            _ => self.place_of(born),
         }
     }
 
@@ -335,23 +341,16 @@ impl<'a> Chains<'a> {
 
     /// Lets the wavefronts move until nothing happens any more.
     pub(super) fn propagate(&mut self) -> Result<(), Trouble> {
-        let mut first: Vec<(Bounds, u32)> = Vec::with_capacity(self.waves.len());
+        let mut first: Vec<(WaveId, Bounds)> = Vec::with_capacity(self.waves.len());
         for w in 0..self.waves.len() as u32 {
             if let Some(bounds) = self.next_collapse(w) {
-                first.push((bounds, w));
+                first.push((WaveId::raw(w), bounds));
             }
         }
-        let Self {
-            queue,
-            planes,
-            collapse,
-            ..
-        } = self;
-        let at = |w: u32| Moment::Planes(collapse[w as usize]);
-        queue.fill(first.into_iter(), &|a, b| planes.compare(&at(a), &at(b)));
+        self.queue.fill(first.into_iter());
         let mut batch = Vec::new();
-        while let Some((bounds, first)) = self.queue.peek() {
-            self.take_batch(bounds, first, &mut batch);
+        while let Some(first) = self.first() {
+            self.take_batch(first, &mut batch);
             for &w in &batch {
                 self.zero[w as usize] = true;
             }
@@ -370,32 +369,38 @@ impl<'a> Chains<'a> {
     }
 
     /// Takes all that collapses at the next moment from the queue.
-    fn take_batch(&mut self, bounds: Bounds, first: u32, batch: &mut Vec<u32>) {
-        self.now = Moment::Planes(self.collapse[first as usize]);
+    fn take_batch(&mut self, first: WaveId, batch: &mut Vec<u32>) {
+        let bounds = self.queue.bounds(first).expect("it is queued");
+        self.now = Moment::Planes(self.collapse[first.index()]);
         self.now_bounds = bounds;
         self.first_node = self.front.vertices + self.front.events.len() as u32;
         batch.clear();
+        while let Some(w) = self.first() {
+            let other = self.queue.bounds(w).expect("it is queued");
+            let at = Moment::Planes(self.collapse[w.index()]);
+            let order = bounds
+                .compare(other)
+                .unwrap_or_else(|| self.planes.compare(&self.now, &at));
+            if order != Ordering::Equal {
+                break;
+            }
+            self.dequeue(w.index() as u32);
+            batch.push(w.index() as u32);
+        }
+        // Whatever the order in which the queue gave them.
+        batch.sort_unstable();
+    }
+
+    /// What collapses next.
+    fn first(&mut self) -> Option<WaveId> {
         let Self {
             queue,
             planes,
             collapse,
-            now,
             ..
         } = self;
-        let at = |w: u32| Moment::Planes(collapse[w as usize]);
-        let exact = |a: u32, b: u32| planes.compare(&at(a), &at(b));
-        let mut next = Some((bounds, first));
-        while let Some((other, w)) = next {
-            let order = bounds
-                .compare(other)
-                .unwrap_or_else(|| planes.compare(now, &at(w)));
-            if order != Ordering::Equal {
-                break;
-            }
-            queue.set(w, None, &exact);
-            batch.push(w);
-            next = queue.peek();
-        }
+        let at = |w: WaveId| Moment::Planes(collapse[w.index()]);
+        queue.peek(&|a, b| planes.compare(&at(a), &at(b)))
     }
 
     /// A run of wavefront edges of length zero becomes one vertex.
@@ -500,8 +505,10 @@ impl<'a> Chains<'a> {
             collapse,
             ..
         } = self;
-        let at = |w: u32| Moment::Planes(collapse[w as usize]);
-        queue.set(w, bounds, &|a, b| planes.compare(&at(a), &at(b)));
+        let at = |w: WaveId| Moment::Planes(collapse[w.index()]);
+        queue.set(WaveId::raw(w), bounds, &|a, b| {
+            planes.compare(&at(a), &at(b))
+        });
     }
 
     /// Finds the next collapse of all wavefront edges with a new vertex.

@@ -11,15 +11,13 @@
 //! * No trapezoidation, and no rotation: faces are monotone in time, which serves instead.
 //! * Edges along the levels are taken as they are, and so is what they lead to: edges that meet face to face, within
 //!   a chain or across both, and edges of both chains on one plane.
-//! * Theorem 8 does not hold with weights: what was cut off may get ahead of what cut it off, in its own chain.
-//!   The merge finds that out, but for rare cases at one moment; until these are known, polygons with different speeds
-//!   are refused. (Chains have any positive speeds.)
+//! * Theorem 8 does not hold with weights: what was cut off may come back in its own chain. The merge finds that
+//!   out, and refuses. (Chains have any positive speeds.)
 
 mod boundary;
 mod chain;
 mod chains;
 mod merge;
-mod queue;
 mod split;
 mod straight;
 
@@ -55,11 +53,8 @@ fn refusal(figure: &Figure, region: Region) -> Option<NotApplicable> {
     }
     let changes = figure.changes().first().map(|change| change.edge);
     let still = edges.iter().position(|edge| edge.speeds.contains(&0.0));
-    // In rare cases with different speeds the merge does not notice that what was cut off comes back.
-    #[expect(clippy::float_cmp, reason = "asks for the very same number")]
-    let other = edges.iter().position(|edge| edge.speeds != edges[0].speeds);
     changes
-        .or(still.or(other).map(EdgeId::new))
+        .or(still.map(EdgeId::new))
         .map(|edge| NotApplicable::Speed { edge })
 }
 
@@ -99,10 +94,7 @@ pub(crate) fn skeleton(figure: &Figure, region: Region) -> Result<Skeleton, NotA
 
 /// The result.
 fn finish(figure: &Figure, chains: Chains, mut stats: Stats) -> Skeleton {
-    let Chains {
-        planes, mut front, ..
-    } = chains;
-    join_faces(&mut front);
+    let (planes, front) = (chains.planes, chains.into_front());
     let rungs = planes.rungs.get();
     stats.by_f64 = rungs.by_f64;
     stats.by_double_double = rungs.by_double_double;
@@ -133,12 +125,19 @@ fn merge_chains(chains: &mut Chains, starts: &[Start; 2]) -> Result<(), Trouble>
     Merge::run(chains, rays, west, east, starts[0].planes[0])
 }
 
+impl Chains<'_> {
+    /// What the propagation and the merge leave behind; all else is forgotten.
+    fn into_front(mut self) -> Wavefront {
+        if self.ghosts {
+            join_faces(&mut self.front);
+        }
+        self.front
+    }
+}
+
 /// Faces whose boundaries are linked, by ghosts, are joint. (What was joined in a chain may have been cut off since,
 /// so that is not to be asked.)
 fn join_faces(front: &mut Wavefront) {
-    if !front.traces.iter().any(|trace| trace.end == End::Ghost) {
-        return;
-    }
     let mut wave_of = vec![WaveId::raw(0); front.after_base.len()];
     for (w, wave) in front.waves.iter().enumerate() {
         wave_of[wave.face as usize] = WaveId::new(w);

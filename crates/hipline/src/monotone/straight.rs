@@ -102,6 +102,7 @@ impl Chains<'_> {
             Side::Lower => (a, b),
             Side::Upper => (b, a),
         };
+        self.ghosts = true;
         self.front.trace_mut(x).end = End::Ghost;
         self.front.trace_mut(x).after_up = Walk::Down(x);
         let (first, last) = (self.waves[a], self.waves[b]);

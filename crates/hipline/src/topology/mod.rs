@@ -4,6 +4,12 @@ mod sets;
 
 pub(crate) use sets::Sets;
 
+/// What has a position in a list: every id.
+pub(crate) trait Numbered: Copy {
+    /// The position.
+    fn number(self) -> usize;
+}
+
 macro_rules! id {
     ($(#[$doc:meta])* $vis:vis $name:ident, $letter:literal) => {
         $(#[$doc])*
@@ -30,6 +36,12 @@ macro_rules! id {
             #[must_use]
             $vis const fn index(self) -> usize {
                 self.0 as usize
+            }
+        }
+
+        impl Numbered for $name {
+            fn number(self) -> usize {
+                self.index()
             }
         }
 

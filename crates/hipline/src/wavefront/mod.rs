@@ -7,9 +7,12 @@
 //! start. So each trace is walked up in the face of `inn` and down in the face of `out`,
 //! and each change of the wavefront links two such walks. The faces need no other record.
 
+mod queue;
+
 use crate::predicates::PlaneId;
 use crate::topology::{Sets, TraceId, WaveId};
 use hipline_num::Sign;
+pub(crate) use queue::Queue;
 use std::collections::BTreeMap;
 
 /// A step of a face's boundary.

@@ -214,8 +214,15 @@ impl Merge<'_, '_> {
             let node = if side == Side::Upper { s_stop } else { e_stop };
             let node = node.expect("just chosen");
             let then = self.chains.time_of(node);
-            let [p, q] =
-                [self.upper, self.lower].map(|cursor| self.chains.place_at(&cursor, &then));
+            // A trace of one height is at both of its ends then: the node tells which one counts.
+            let place = |cursor: &Cursor| {
+                if cursor.side == side {
+                    Some(self.chains.place_of(node))
+                } else {
+                    self.chains.place_at(cursor, &then)
+                }
+            };
+            let (p, q) = (place(&self.upper), place(&self.lower));
             let (Some(p), Some(q)) = (p, q) else {
                 return self.trouble();
             };
@@ -274,11 +281,16 @@ impl Merge<'_, '_> {
         };
         if level != [false; 2] {
             // The level one is cut where the other one is then.
+            let steep = if level[0] { e } else { s };
+            let ends = |x: u32| {
+                let nodes = [self.chains.end_node(x), Some(self.chains.trace(x).born)];
+                nodes.into_iter().flatten()
+            };
+            let node =
+                ends(steep).find(|&n| self.chains.compare(&self.chains.time_of(n), &time).is_eq());
             let crossing = |x: u32, level: bool| Crossing {
                 trace: x,
-                node: self.chains.end_node(x).filter(|&n| {
-                    !level && self.chains.compare(&self.chains.time_of(n), &time).is_eq()
-                }),
+                node: node.filter(|_| !level),
                 time,
             };
             return Ok(Exit {

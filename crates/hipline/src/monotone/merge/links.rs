@@ -165,6 +165,7 @@ impl Merge<'_, '_> {
         } else {
             (lower, upper, node)
         };
+        self.chains.ghosts = true;
         let x = self.chains.front.push_trace(Trace {
             pair: [i, k],
             inn,

@@ -22,6 +22,7 @@ use crate::{
     wavefront::{End, Walk},
 };
 use hipline_num::Sign;
+use std::cmp::Ordering;
 
 /// The walk along the merge chain.
 pub(super) struct Merge<'c, 'a> {
@@ -178,6 +179,15 @@ impl<'c, 'a> Merge<'c, 'a> {
             if looks.iter().any(|look| matches!(look, Look::Lost)) {
                 return self.trouble();
             }
+            // A ridge of one height that follows at the same moment may cross it, too.
+            let earlier = |cursor: &Cursor, stop: &Time, other: &Time| match first(stop, other) {
+                Ordering::Less => true,
+                Ordering::Equal => {
+                    !parts[usize::from(cursor.side == Side::Lower)]
+                        && self.jumps_next(cursor, forward)
+                }
+                Ordering::Greater => false,
+            };
             let next = match looks {
                 [Look::Crosses(p), Look::Crosses(q)] => {
                     let order = first(&p.time, &q.time);
@@ -186,8 +196,12 @@ impl<'c, 'a> Merge<'c, 'a> {
                         lower: order.is_ge().then_some(q),
                     }));
                 }
-                [Look::Crosses(p), Look::Until(t)] if first(&t, &p.time).is_lt() => Side::Lower,
-                [Look::Until(t), Look::Crosses(q)] if first(&t, &q.time).is_lt() => Side::Upper,
+                [Look::Crosses(p), Look::Until(t)] if earlier(&self.lower, &t, &p.time) => {
+                    Side::Lower
+                }
+                [Look::Until(t), Look::Crosses(q)] if earlier(&self.upper, &t, &q.time) => {
+                    Side::Upper
+                }
                 [Look::Crosses(p), _] => {
                     return Ok(Some(Exit {
                         upper: Some(p),
@@ -213,6 +227,16 @@ impl<'c, 'a> Merge<'c, 'a> {
         }
     }
 
+    /// Whether what comes next along a boundary is a ridge of one height.
+    fn jumps_next(&self, cursor: &Cursor, forward: bool) -> bool {
+        let next = if forward {
+            self.chains.after(cursor.side, cursor.east)
+        } else {
+            self.chains.before(cursor.side, cursor.east)
+        };
+        next != NONE && self.chains.trace(next).turn.is_zero()
+    }
+
     /// Going back in time, what was joined comes apart: the merge chain is in one of the parts.
     fn come_apart(&mut self, side: Side, plane: PlaneId) -> Result<(), Trouble> {
         let mut cursor = *self.cursor(side);
@@ -235,6 +259,11 @@ impl<'c, 'a> Merge<'c, 'a> {
     /// With weights, what was cut off may come back in its own chain, over the western boundary of a face: then
     /// that chain is no longer what is true of the polygon. Goes along that boundary from where the
     /// cursor is up to a time; it must stay on its side.
+    ///
+    /// Where the merge chain goes back in time, the part of the face beside it is there until it is cut off; so the
+    /// boundary must not even touch it before, nor run along it: where it does, the wavefront edge has length zero in the
+    /// polygon, and is gone, though it goes on in its chain. Where the merge chain goes on in time, what touches it was
+    /// cut off before.
     fn check_west(
         &self,
         cursor: &mut Cursor,
@@ -261,7 +290,11 @@ impl<'c, 'a> Merge<'c, 'a> {
                 } else {
                     order.is_ge()
                 } {
-                    if self.chains.ahead(node, plane) == wrong {
+                    let side = self.chains.ahead(node, plane);
+                    let time = self.chains.time_of(node);
+                    let is_later = order.is_ne() || until.moment != Moment::Start;
+                    let inside = is_later && self.chains.compare(&time, &self.now).is_ne();
+                    if side == wrong || side.is_zero() && !forward && inside {
                         return self.trouble();
                     }
                     let next = if forward && trace.end == End::Ghost {
@@ -279,8 +312,11 @@ impl<'c, 'a> Merge<'c, 'a> {
                 }
             }
             let proper = !trace.turn.is_zero() && until.moment != Moment::Start;
-            if proper && self.chains.planes.lead(&until.moment, trace.pair, plane) == wrong {
-                return self.trouble();
+            if proper {
+                let side = self.chains.planes.lead(&until.moment, trace.pair, plane);
+                if side == wrong || side.is_zero() && !forward {
+                    return self.trouble();
+                }
             }
             return Ok(());
         }

@@ -76,13 +76,27 @@ impl Checker<'_> {
                 .compare_headings(&self.heading_of(dart), &self.heading_of(next))
             {
                 Ordering::Less => {}
-                Ordering::Equal => turn.equals += 1,
+                Ordering::Equal => turn.equals += usize::from(!self.covers_base(dart, next)),
                 Ordering::Greater => turn.falls += 1,
             }
             if next == start {
                 return turn;
             }
             dart = next;
+        }
+    }
+
+    /// Whether one of two darts is an edge and the other the arc over its whole length along which the edge was
+    /// overrun at time zero. The face between them has no area.
+    fn covers_base(&self, d: u32, e: u32) -> bool {
+        let arcs = self.skeleton.arcs.len();
+        let [arc, edge] = [d.min(e), d.max(e)].map(|dart| dart as usize / 2);
+        arc < arcs && edge >= arcs && {
+            let mut ends = self.skeleton.arcs[arc].nodes.map(NodeId::index);
+            let mut base = self.skeleton.input.edges[edge - arcs].map(VertexId::index);
+            ends.sort_unstable();
+            base.sort_unstable();
+            ends == base
         }
     }
 

@@ -1,4 +1,4 @@
-//! The priority queue of collapsing triangles: two indexed 4-ary heaps.
+//! The priority queue of what collapses, triangles or wavefront edges: two indexed 4-ary heaps.
 //!
 //! The order of two moments is usually decided by their bounds; where it is not, the caller's
 //! exact comparison is asked. That is why no queue off the shelf serves.
@@ -8,7 +8,7 @@
 //! is ordered exactly.
 
 use crate::predicates::Bounds;
-use crate::topology::TriangleId;
+use crate::topology::Numbered;
 use std::cmp::Ordering;
 
 const ARITY: usize = 4;
@@ -17,35 +17,42 @@ const ABSENT: u32 = u32::MAX;
 const FRONT: u32 = 1 << 31;
 
 #[derive(Clone, Copy, Debug)]
-struct Entry {
+struct Entry<I> {
     bounds: Bounds,
-    triangle: TriangleId,
+    id: I,
 }
 
-/// Triangles by the moment of their collapse.
-#[derive(Debug, Default)]
-pub(super) struct Queue {
+/// Things by the moment of their collapse.
+#[derive(Debug)]
+pub(crate) struct Queue<I> {
     /// By lower bounds.
-    waiting: Vec<Entry>,
+    waiting: Vec<Entry<I>>,
     /// By moments.
-    front: Vec<Entry>,
+    front: Vec<Entry<I>>,
     position: Vec<u32>,
 }
 
-impl Queue {
-    /// Empties the queue and makes room for triangles up to the given number.
-    pub(super) fn reset(&mut self, triangles: usize) {
+impl<I> Default for Queue<I> {
+    fn default() -> Self {
+        Self {
+            waiting: Vec::new(),
+            front: Vec::new(),
+            position: Vec::new(),
+        }
+    }
+}
+
+impl<I: Numbered> Queue<I> {
+    /// Empties the queue and makes room for things up to the given number.
+    pub(crate) fn reset(&mut self, count: usize) {
         self.waiting.clear();
         self.front.clear();
         self.position.clear();
-        self.position.resize(triangles, ABSENT);
+        self.position.resize(count, ABSENT);
     }
 
-    /// A triangle that collapses first. Of several at one moment, any.
-    pub(super) fn peek(
-        &mut self,
-        exact: &impl Fn(TriangleId, TriangleId) -> Ordering,
-    ) -> Option<TriangleId> {
+    /// What collapses first. Of several at one moment, any.
+    pub(crate) fn peek(&mut self, exact: &impl Fn(I, I) -> Ordering) -> Option<I> {
         while let Some(&next) = self.waiting.first() {
             // All that wait come after the first one at the front.
             if let Some(first) = self.front.first()
@@ -56,12 +63,12 @@ impl Queue {
             self.waiting().remove(0);
             self.front(exact).insert(next);
         }
-        self.front.first().map(|entry| entry.triangle)
+        self.front.first().map(|entry| entry.id)
     }
 
-    /// The bounds of a queued triangle's moment.
-    pub(super) fn bounds(&self, t: TriangleId) -> Option<Bounds> {
-        let at = self.position[t.index()];
+    /// The bounds of the moment of something queued.
+    pub(crate) fn bounds(&self, t: I) -> Option<Bounds> {
+        let at = self.position[t.number()];
         if at == ABSENT {
             return None;
         }
@@ -74,25 +81,20 @@ impl Queue {
     }
 
     /// Fills the queue anew, in linear time.
-    pub(super) fn fill(&mut self, entries: impl Iterator<Item = (TriangleId, Bounds)>) {
+    pub(crate) fn fill(&mut self, entries: impl Iterator<Item = (I, Bounds)>) {
         self.waiting
-            .extend(entries.map(|(triangle, bounds)| Entry { bounds, triangle }));
+            .extend(entries.map(|(id, bounds)| Entry { bounds, id }));
         for (i, entry) in self.waiting.iter().enumerate() {
-            self.position[entry.triangle.index()] = i as u32;
+            self.position[entry.id.number()] = i as u32;
         }
         for i in (0..self.waiting.len().div_ceil(ARITY)).rev() {
             self.waiting().sift_down(i);
         }
     }
 
-    /// Sets or replaces the moment of a triangle; `None` removes it.
-    pub(super) fn set(
-        &mut self,
-        t: TriangleId,
-        bounds: Option<Bounds>,
-        exact: &impl Fn(TriangleId, TriangleId) -> Ordering,
-    ) {
-        let at = self.position[t.index()];
+    /// Sets or replaces the moment of something; `None` removes it.
+    pub(crate) fn set(&mut self, t: I, bounds: Option<Bounds>, exact: &impl Fn(I, I) -> Ordering) {
+        let at = self.position[t.number()];
         if at != ABSENT {
             if at & FRONT == 0 {
                 self.waiting().remove(at as usize);
@@ -101,32 +103,31 @@ impl Queue {
             }
         }
         if let Some(bounds) = bounds {
-            let triangle = t;
-            self.waiting().insert(Entry { bounds, triangle });
+            self.waiting().insert(Entry { bounds, id: t });
         }
     }
 
-    fn waiting(&mut self) -> Heap<'_, impl Fn(&Entry, &Entry) -> bool> {
+    fn waiting(&mut self) -> Heap<'_, I, impl Fn(&Entry<I>, &Entry<I>) -> bool> {
         Heap {
             entries: &mut self.waiting,
             position: &mut self.position,
             mark: 0,
-            less: |a: &Entry, b: &Entry| a.bounds.low < b.bounds.low,
+            less: |a: &Entry<I>, b: &Entry<I>| a.bounds.low < b.bounds.low,
         }
     }
 
     fn front<'a>(
         &'a mut self,
-        exact: &'a impl Fn(TriangleId, TriangleId) -> Ordering,
-    ) -> Heap<'a, impl Fn(&Entry, &Entry) -> bool> {
+        exact: &'a impl Fn(I, I) -> Ordering,
+    ) -> Heap<'a, I, impl Fn(&Entry<I>, &Entry<I>) -> bool> {
         Heap {
             entries: &mut self.front,
             position: &mut self.position,
             mark: FRONT,
-            less: |a: &Entry, b: &Entry| {
+            less: |a: &Entry<I>, b: &Entry<I>| {
                 a.bounds
                     .compare(b.bounds)
-                    .unwrap_or_else(|| exact(a.triangle, b.triangle))
+                    .unwrap_or_else(|| exact(a.id, b.id))
                     .is_lt()
             },
         }
@@ -134,21 +135,21 @@ impl Queue {
 }
 
 /// One of the heaps.
-struct Heap<'a, F> {
-    entries: &'a mut Vec<Entry>,
+struct Heap<'a, I, F> {
+    entries: &'a mut Vec<Entry<I>>,
     position: &'a mut [u32],
     mark: u32,
     less: F,
 }
 
-impl<F: Fn(&Entry, &Entry) -> bool> Heap<'_, F> {
-    fn insert(&mut self, entry: Entry) {
+impl<I: Numbered, F: Fn(&Entry<I>, &Entry<I>) -> bool> Heap<'_, I, F> {
+    fn insert(&mut self, entry: Entry<I>) {
         self.entries.push(entry);
         self.sift_up(self.entries.len() - 1);
     }
 
     fn remove(&mut self, at: usize) {
-        self.position[self.entries[at].triangle.index()] = ABSENT;
+        self.position[self.entries[at].id.number()] = ABSENT;
         let last = self.entries.pop().expect("the queue is not empty");
         if at < self.entries.len() {
             self.entries[at] = last;
@@ -159,9 +160,9 @@ impl<F: Fn(&Entry, &Entry) -> bool> Heap<'_, F> {
         }
     }
 
-    fn put(&mut self, i: usize, entry: Entry) {
+    fn put(&mut self, i: usize, entry: Entry<I>) {
         self.entries[i] = entry;
-        self.position[entry.triangle.index()] = i as u32 | self.mark;
+        self.position[entry.id.number()] = i as u32 | self.mark;
     }
 
     fn sift_up(&mut self, mut i: usize) {
