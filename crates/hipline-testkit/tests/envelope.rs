@@ -7,7 +7,7 @@ use std::panic::catch_unwind;
 use common::{count, field};
 use hipline::{Engine, Figure, NotApplicable, Options, Region};
 use hipline_testkit::agreement::{compare, drawn};
-use hipline_testkit::generate::{Family, Kind, small, small_of};
+use hipline_testkit::generate::{Family, Kind, small, small_of, tight};
 use hipline_testkit::reference::{Graph, reference};
 
 fn inside() -> Options {
@@ -79,6 +79,89 @@ fn agrees_on_families() {
     }
 }
 
+/// Large enough for many cuts of both stages.
+#[test]
+fn agrees_on_larger_polygons() {
+    let families = [
+        Family::Random,
+        Family::Star,
+        Family::Coast,
+        Family::Holes,
+        Family::SquareHoles,
+        Family::Spiral,
+        Family::Monotone,
+        Family::Orthogonal,
+        Family::Regular,
+        Family::Convex,
+        Family::Comb,
+        Family::Snowflake,
+    ];
+    for seed in 0..count(240, 12) {
+        let family = families[(seed % 12) as usize];
+        let case = family.generate(40 + seed as usize / 2, seed);
+        let figure = case.figure().expect("a family of figures");
+        if let Some(how) = failure(&figure) {
+            panic!("{} of seed {seed}: {how}", family.name());
+        }
+    }
+    for seed in 0..count(20, 2) {
+        let seed = seed as usize;
+        let case = tight(5 + 3 * seed, 3 + seed, seed as u64);
+        let figure = case.figure().expect("a polygon");
+        if let Some(how) = failure(&figure) {
+            panic!("{how}: {}", case.to_text());
+        }
+    }
+}
+
+#[test]
+fn threads_do_not_matter() {
+    let n = count(600, 200) as usize;
+    for family in [Family::Random, Family::Holes] {
+        let figure = family.generate(n, 3).figure().expect("a figure");
+        let [one, three] = [1, 3].map(|threads| {
+            let pool = rayon::ThreadPoolBuilder::new().num_threads(threads);
+            let pool = pool.build().expect("threads");
+            let skeleton = pool.install(|| figure.skeleton_by(Engine::Envelope, inside()));
+            let skeleton = skeleton.expect("it applies");
+            (drawn(&skeleton), skeleton.stats().steps)
+        });
+        assert!(one == three, "{}", family.name());
+    }
+}
+
+/// Cells fill the inside but for what empty cells take.
+#[test]
+fn cells_lie_apart() {
+    let figure = Family::Coast.generate(60, 1).figure().expect("a figure");
+    let subdivision = figure.subdivision().expect("a polygon");
+    let area = |edges: &[([[f64; 2]; 2], hipline::subdivision::Border)]| {
+        let twice = edges.iter().map(|&([p, q], _)| p[0] * q[1] - p[1] * q[0]);
+        twice.sum::<f64>() / 2.0
+    };
+    let whole = figure.edges().iter().map(|edge| {
+        let [p, q] = [edge.from, edge.to].map(|v| figure.vertices()[v.index()]);
+        p[0] * q[1] - p[1] * q[0]
+    });
+    let whole = whole.sum::<f64>() / 2.0;
+    let sum = |cells: &[hipline::subdivision::SubdivisionCell]| -> f64 {
+        let areas: Vec<f64> = cells.iter().map(|cell| area(&cell.edges)).collect();
+        assert!(areas.iter().all(|&area| area > -1e-9 * whole), "{areas:?}");
+        areas.iter().sum()
+    };
+    let [first, last] = [&subdivision.first, &subdivision.last].map(|cells| sum(cells));
+    assert!(
+        0.2 * whole < last && last < first && first < 1.000_001 * whole,
+        "{last} {first} {whole}"
+    );
+    assert!(
+        subdivision
+            .last
+            .iter()
+            .all(|cell| cell.valleys <= 1 || cell.slabs <= 8)
+    );
+}
+
 #[test]
 fn agrees_on_polygons_from_the_field() {
     for case in field(count(120, 30) as usize, 2) {
@@ -89,20 +172,43 @@ fn agrees_on_polygons_from_the_field() {
     }
 }
 
-/// Of four times as many edges: 5.4 times as many steps, where n log n has 5.3 and all pairs have 16.
+fn steps(figure: &Figure) -> f64 {
+    let skeleton = figure.skeleton_by(Engine::Envelope, inside());
+    skeleton.expect("it applies").stats().steps as f64
+}
+
+/// Of four times as many edges: about five times as many steps, where n log n log r has 7 and all pairs have 16.
 #[test]
 fn steps_grow_little_faster_than_the_input() {
-    let steps = |n: usize| {
-        let figure = Family::Random.generate(n, 1).figure().expect("a figure");
-        let skeleton = figure.skeleton_by(Engine::Envelope, inside());
-        let skeleton = skeleton.expect("it applies");
-        (figure.edges().len() as f64, skeleton.stats().steps as f64)
-    };
-    let [(few, less), (many, more)] = [64, 256].map(steps);
-    assert!(
-        less > 0.0 && more / less < 2.0 * many / few,
-        "{less} {more}"
-    );
+    for family in [Family::Random, Family::Star, Family::Coast, Family::Holes] {
+        let of = |n: usize| {
+            let figure = family.generate(n, 1).figure().expect("a figure");
+            (figure.edges().len() as f64, steps(&figure))
+        };
+        let [(few, less), (many, more)] = [100, 400].map(of);
+        assert!(
+            less > 0.0 && more / less < 2.0 * many / few,
+            "{}: {less} {more}",
+            family.name()
+        );
+    }
+}
+
+/// Where all faces meet around one place, and where each cut crosses all faces of a wall.
+#[test]
+fn steps_grow_as_the_thesis_tells() {
+    let regular = [64, 256].map(|n| {
+        let figure = Family::Regular.generate(n, 1).figure().expect("a figure");
+        steps(&figure)
+    });
+    assert!(regular[1] < 6.0 * regular[0], "{regular:?}");
+    // n log n log r.
+    let tight = [16, 64].map(|n| {
+        let figure = tight(n, n / 2, 1).figure().expect("a figure");
+        let (n, r) = (figure.edges().len() as f64, (n / 2) as f64);
+        steps(&figure) / (n * n.log2() * r.log2())
+    });
+    assert!(tight[1] < 1.3 * tight[0], "{tight:?}");
 }
 
 #[test]

@@ -36,6 +36,7 @@ pub mod topology;
 mod wavefront;
 
 pub use engine::{Engine, NotApplicable};
+pub use envelope::subdivision;
 pub use input::{Figure, FigureBuilder, InvalidFigure, Polygon};
 pub use monotone::{Chain, InvalidChain};
 pub use skeleton::{Options, Region, Skeleton};

@@ -8,6 +8,7 @@ mod orthogonal;
 mod random;
 mod shapes;
 mod small;
+mod tight;
 mod weighted;
 
 pub use family::Family;
@@ -15,4 +16,5 @@ pub use monotone::{chain_small, monotone_large, monotone_small, monotone_weighte
 pub use orthogonal::{Columns, columns, orthogonal, subdivide};
 pub use random::Random;
 pub use small::{Kind, small, small_of, weigh};
+pub use tight::tight;
 pub use weighted::{Weights, change_speeds, small_weighted};

@@ -1,245 +1,384 @@
-//! Divide and conquer: which faces may border on each other?
+//! Divide and conquer: which faces may border on each other? The subdivision of chapters 3 and 4 of the thesis.
 //!
-//! The plan is cut along an axis through the middle of the sources in a cell, and the roof above the cut is found as a lower
-//! envelope of the slabs that appear in the cell. What appears in one half then has its source there, or appears on that half's
-//! boundary: going straight down from any place of a face, along the valley where there is one, one gets to the face's
-//! source or leaves the half. So each half gets a short list of its own, and the recursion ends where lists are
-//! short: all pairs of a list are candidates. Arcs lie in some cell over a length, so no pair is missed; a pair too many does
-//! no harm, as what is made of the candidates are valid parts of slabs (`docs/engines.md`).
+//! The inside of the figure is cut again and again: first through the median of the motorcycle vertices in a cell, then between its
+//! valleys, until there is one at most. The roof above a cut, a lower envelope of segments, tells the
+//! faces on it; descent paths from there confine the cells on both sides ([`split`](super::split)). Over a cell without valleys the roof is convex, a
+//! lower envelope of planes ([`convex`](super::convex)). An arc lies in some last cell over a length, and its faces are on that cell's list, so no pair is missed; a
+//! pair too many does no harm, as what is made of the candidates are valid parts of slabs (`docs/engines.md`).
 //!
-//! *Departures from the thesis.* It cuts along vertical lines through vertices of the motorcycle graph only, confines cells by descent paths from all crossings of
-//! the cut with arcs, and cuts along chords between valleys afterwards. Descent paths keep a ridge out of all cells but O(log r);
-//! here, a face is on the list of every cell that it reaches into, which makes the bound worse: a face that crosses m cells
-//! is treated m times. Cells are rectangles instead, cut across their longer side, so that long cells do not collect
-//! what crosses them. There is no second stage, as nothing needs convex cells. A cut has few binary digits, and where two planes agree all along it, another one is taken.
-//!
-//! Nothing here decides what the skeleton is: in doubt, lists are longer. Coordinates in f64 serve to choose cuts, and bounds of
-//! them to shorten lists.
+//! Nothing here decides what the skeleton is: in doubt, lists are longer. Coordinates in f64 serve to choose cuts.
 
-use super::{Envelope, section::Visible};
-use crate::predicates::{Cut, PlaneId};
+use super::{
+    Envelope,
+    boundary::{Cell, Edge, Kind, NONE, Node},
+    section::{Cut, Mark},
+};
+use crate::predicates::{CellCorner, PlaneId, Station};
+use std::{collections::VecDeque, sync::Arc};
 
-/// A list this short is not worth a cut.
-const SHORT: usize = 12;
-/// Cuts are tried this often before a cell is left as it is.
-const TRIES: usize = 4;
+/// Of a list this short, all pairs are candidates.
+const SHORT: usize = 8;
+/// So many cuts are tried before a cell is left as it is.
+const TRIES: usize = 8;
 
-/// A rectangle: the limits in x, then in y.
-type Frame = [[f64; 2]; 2];
+/// So many cells are found before threads share them.
+const MANY: usize = 64;
 
-/// A part of the plan.
-struct Cell {
-    frame: Frame,
-    /// The sources that may reach into it, by number.
-    sources: Vec<u32>,
-    /// What is on the roof above its sides: left, right, below, above.
-    sides: [Vec<Visible>; 4],
-    depth: u32,
+/// What a thread found.
+#[derive(Default)]
+pub(super) struct Found {
+    /// Pairs of faces, the lower number first.
+    pub pairs: Vec<[u32; 2]>,
+    sorted_up_to: usize,
 }
 
-/// The source of a face: a segment in plan, roughly.
-struct Segment {
-    face: u32,
-    ends: [[f64; 2]; 2],
-}
-
-/// The part of a segment within a frame, roughly, if there may be any.
-fn clip(ends: &[[f64; 2]; 2], frame: &Frame) -> Option<[[f64; 2]; 2]> {
-    let [p, q] = *ends;
-    let size = ends.iter().flatten().fold(0.0_f64, |m, x| m.max(x.abs()));
-    // Far more than the roundings below.
-    let slack = size / (1_u64 << 40) as f64;
-    let (mut from, mut to) = (0.0_f64, 1.0_f64);
-    for k in 0..2 {
-        let [low, high] = [frame[k][0] - slack, frame[k][1] + slack];
-        let (least, most) = (p[k].min(q[k]), p[k].max(q[k]));
-        if most < low || least > high {
-            return None;
+impl Found {
+    fn add(&mut self, f: u32, g: u32) {
+        if f != g {
+            self.pairs.push([f.min(g), f.max(g)]);
         }
-        let d = q[k] - p[k];
-        if most - least <= 4.0 * slack {
-            continue;
-        }
-        let [s, t] = [(low - p[k]) / d, (high - p[k]) / d];
-        from = from.max(s.min(t));
-        to = to.min(s.max(t));
     }
-    let slip = 1.0 / (1_u64 << 30) as f64;
-    if from > to + slip {
-        return None;
+
+    pub(super) fn tidy(&mut self) {
+        self.pairs.sort_unstable();
+        self.pairs.dedup();
+        self.sorted_up_to = 2 * self.pairs.len().max(1 << 15);
     }
-    let at = |s: f64| [0, 1].map(|k| p[k] + s * (q[k] - p[k]));
-    Some([at(from), at(to)])
 }
 
-/// A number with few binary digits near another one, in an interval of the given width.
-fn coarse(x: f64, width: f64, attempt: usize) -> f64 {
-    let grain = 2.0_f64.powi(width.log2().floor() as i32 - 8);
-    ((x / grain).floor() + 0.3125 + attempt as f64) * grain
+/// A number with few binary digits between two others.
+fn between(low: f64, high: f64) -> Option<f64> {
+    let grain = 2.0_f64.powi(((high - low).log2().floor() as i32 - 3).max(-1000));
+    let c = (low.midpoint(high) / grain).floor() * grain + 0.3125 * grain;
+    (low < c && c < high).then_some(c)
+}
+
+fn middle(node: &Node) -> [f64; 2] {
+    node.frame.map(|[low, high]| low.midpoint(high))
 }
 
 impl Envelope<'_> {
     /// Pairs of faces that may border on each other, the lower number first, ascending.
-    ///
-    /// # Complexity
-    /// With s the sum of the lengths of the lists of one level: O(s log s) for each of O(log n) levels, and the squares of the lengths
-    /// of the last lists.
     pub(super) fn candidates(&mut self) -> Vec<[u32; 2]> {
-        let segments = self.segments();
-        let mut frame = [[f64::INFINITY, f64::NEG_INFINITY]; 2];
-        for p in self.figure.vertices() {
-            for k in 0..2 {
-                frame[k] = [frame[k][0].min(p[k]), frame[k][1].max(p[k])];
+        let mut found = Found::default();
+        for &face in &self.faces {
+            found.add(face, self.beside[face as usize][1]);
+        }
+        for track in &self.tracks.motorcycles {
+            found.add(track.pair[0].0, track.pair[1].0);
+        }
+        // The largest cells first; then what is in each of many, by any number of threads.
+        let mut cells = VecDeque::from(self.first_cells());
+        while let Some(cell) = cells.pop_front() {
+            cells.extend(self.divide(&cell, &mut found));
+            if cells.len() >= MANY {
+                break;
             }
         }
-        let deepest = 16 + 3 * (self.faces.len().ilog2());
-        let mut cells = vec![Cell {
-            frame,
-            sources: (0..segments.len() as u32).collect(),
-            sides: Default::default(),
-            depth: 0,
-        }];
-        let members = self.members_of_classes();
-        let mut pairs: Vec<[u32; 2]> = Vec::new();
-        let mut sorted_up_to = 1 << 16;
-        while let Some(cell) = cells.pop() {
-            self.count.cells += 1;
-            self.count.depth = self.count.depth.max(cell.depth);
-            let list = self.list(&cell, &segments, &members);
-            self.count.listed += list.len() as u64;
-            let halves = if list.len() <= SHORT || cell.depth >= deepest {
-                None
-            } else {
-                self.halve(&cell, &list, &segments, &members)
-            };
-            match halves {
-                Some(halves) => cells.extend(halves),
-                None => {
-                    for (i, &f) in list.iter().enumerate() {
-                        pairs.extend(list[i + 1..].iter().map(|&g| [f, g]));
-                    }
-                    if pairs.len() > sorted_up_to {
-                        pairs.sort_unstable();
-                        pairs.dedup();
-                        sorted_up_to = 2 * pairs.len().max(1 << 15);
-                    }
+        let all = self.spread(cells.make_contiguous(), |envelope, cell| {
+            let mut found = Found::default();
+            let mut cells = vec![cell.clone()];
+            while let Some(cell) = cells.pop() {
+                cells.extend(envelope.divide(&cell, &mut found));
+            }
+            found.tidy();
+            found.pairs
+        });
+        found.pairs.extend(all.into_iter().flatten());
+        self.add_twins(&mut found);
+        found.tidy();
+        found.pairs
+    }
+
+    /// Where a face's slab lies on that of another one, on one plane, either may have been taken for the other.
+    fn add_twins(&self, found: &mut Found) {
+        let mut twins = self.twins.clone();
+        twins.extend(self.twins.iter().map(|&[f, g]| [g, f]));
+        twins.sort_unstable();
+        twins.dedup();
+        if twins.is_empty() {
+            return;
+        }
+        for pair in found.pairs.clone() {
+            for [f, g] in [pair, [pair[1], pair[0]]] {
+                let first = twins.partition_point(|twin| twin[0] < f);
+                for twin in twins[first..].iter().take_while(|twin| twin[0] == f) {
+                    found.add(twin[1], g);
                 }
             }
         }
-        pairs.sort_unstable();
-        pairs.dedup();
-        pairs
     }
 
-    /// The sources of all slabs, roughly.
-    fn segments(&self) -> Vec<Segment> {
-        let mut segments = Vec::new();
-        for &face in &self.faces {
-            for slab in &self.sources[face as usize].slabs {
-                let ends = slab.ends.map(|end| {
-                    let [x, y, _] = self.planes.round(&end.into());
-                    [x, y]
-                });
-                segments.push(Segment { face, ends });
+    /// The components of the inside.
+    fn first_cells(&self) -> Vec<Cell> {
+        let mesh = self.figure.mesh();
+        // The component of each triangle.
+        let mut of = vec![NONE; mesh.corners.len()];
+        let mut count = 0;
+        for start in 0..of.len() {
+            if !mesh.inside[start] || of[start] != NONE {
+                continue;
+            }
+            let mut stack = vec![start];
+            of[start] = count;
+            while let Some(t) = stack.pop() {
+                for side in mesh.across[t].iter().filter(|side| side.edge.is_none()) {
+                    let next = side.neighbour as usize;
+                    if of[next] == NONE {
+                        of[next] = count;
+                        stack.push(next);
+                    }
+                }
+            }
+            count += 1;
+        }
+        let nodes: Vec<Arc<Node>> = (self.figure.vertices().iter())
+            .map(|&v| self.node(CellCorner::At(Arc::new(Station::new(&self.planes, v)))))
+            .collect();
+        let mut cells: Vec<Cell> = (0..count)
+            .map(|_| Cell {
+                edges: Vec::new(),
+                holes: 0,
+                depth: 0,
+                is_late: false,
+            })
+            .collect();
+        let mut slab = vec![NONE; self.sources.len()];
+        for (number, of) in self.refs.iter().enumerate() {
+            if self.sources[of.face as usize].slabs[of.index as usize]
+                .beside
+                .is_none()
+            {
+                slab[of.face as usize] = number as u32;
             }
         }
-        segments
+        let mut is_done = vec![false; self.sources.len()];
+        for &first in &self.faces {
+            if is_done[first as usize] {
+                continue;
+            }
+            let cell = &mut cells[of[self.triangles[first as usize] as usize] as usize];
+            cell.holes += usize::from(!cell.edges.is_empty());
+            let start = cell.edges.len() as u32;
+            let mut face = first;
+            while !is_done[face as usize] {
+                is_done[face as usize] = true;
+                let number = slab[face as usize];
+                let notch = self.sources[face as usize].tracks[1].first();
+                cell.edges.push(Edge {
+                    from: nodes[self.end_of(face, 0)].clone(),
+                    to: nodes[self.end_of(face, 1)].clone(),
+                    line: self.line_of(Mark::Source(number)),
+                    kind: Kind::Source,
+                    slab: number,
+                    notch: notch.copied().unwrap_or(NONE),
+                    passes: NONE,
+                    next: cell.edges.len() as u32 + 1,
+                });
+                face = self.beside[face as usize][1];
+            }
+            cell.edges.last_mut().expect("an edge").next = start;
+        }
+        cells
     }
 
-    /// The faces of each class of planes, ascending by class.
-    fn members_of_classes(&self) -> Vec<(PlaneId, u32)> {
-        let mut members: Vec<(PlaneId, u32)> = (self.faces.iter())
-            .map(|&face| (self.class(PlaneId(face)), face))
+    /// Divides a cell, or finds what borders on each other in it.
+    fn divide(&mut self, cell: &Cell, found: &mut Found) -> Vec<Cell> {
+        self.count.cells += 1;
+        self.count.depth = self.count.depth.max(cell.depth);
+        let deepest = 32 + 4 * self.faces.len().ilog2();
+        let is_short = self.slabs_in(cell).len() <= SHORT;
+        if !is_short && !cell.is_convex() && cell.depth < deepest {
+            let whole = self.weight(cell);
+            for attempt in 0..TRIES {
+                let Some((cut, is_late)) = self.cut_for(cell, attempt) else {
+                    continue;
+                };
+                let Some(mut parts) = self.split(cell, &cut) else {
+                    continue;
+                };
+                let is_progress = parts.iter().all(|part| {
+                    let part = self.weight(part);
+                    part[0] < whole[0] || 8 * part[1] < 7 * whole[1] || 8 * part[2] < 7 * whole[2]
+                });
+                if is_progress {
+                    for part in &mut parts {
+                        part.is_late = is_late;
+                    }
+                    if is_late && !cell.is_late {
+                        self.show(0, cell);
+                    }
+                    return parts;
+                }
+            }
+        }
+        if !cell.is_late {
+            self.show(0, cell);
+        }
+        self.show(1, cell);
+        self.finish(cell, found);
+        Vec::new()
+    }
+
+    /// Remembers a cell, if somebody wants to see it.
+    fn show(&mut self, stage: usize, cell: &Cell) {
+        if let Some(seen) = &mut self.seen {
+            seen[stage].push(cell.clone());
+        }
+    }
+
+    /// The numbers of its valleys, its slabs, and its motorcycle vertices.
+    fn weight(&self, cell: &Cell) -> [usize; 3] {
+        let (points, valleys) = self.points_in(cell);
+        [valleys.len(), self.slabs_in(cell).len(), points.len()]
+    }
+
+    /// Lists the pairs of faces of a cell that is not divided any further.
+    fn finish(&mut self, cell: &Cell, found: &mut Found) {
+        let slabs = self.slabs_in(cell);
+        self.count.last += slabs.len() as u64;
+        if slabs.len() > SHORT && cell.is_convex() {
+            self.list_convex(&slabs, found);
+        } else if slabs.len() > SHORT
+            && let Some(sides) = self.beside_valley(cell)
+        {
+            for side in sides {
+                self.list_convex(&side, found);
+            }
+        } else {
+            let faces = self.faces_of(&slabs);
+            self.count.pairs += (faces.len() * faces.len() / 2) as u64;
+            for (i, &f) in faces.iter().enumerate() {
+                for &g in &faces[i + 1..] {
+                    found.add(f, g);
+                }
+            }
+        }
+        if found.pairs.len() > found.sorted_up_to.max(1 << 16) {
+            found.tidy();
+        }
+    }
+
+    /// The faces of slabs, ascending.
+    fn faces_of(&self, slabs: &[u32]) -> Vec<u32> {
+        let faces = slabs.iter().map(|&s| self.refs[s as usize].face);
+        let mut faces: Vec<u32> = faces.collect();
+        faces.sort_unstable();
+        faces.dedup();
+        faces
+    }
+
+    /// Lists the pairs of faces that border on each other on the lower envelope of their planes.
+    fn list_convex(&mut self, slabs: &[u32], found: &mut Found) {
+        let mut members: Vec<(PlaneId, u32)> = (self.faces_of(slabs).into_iter())
+            .map(|face| (self.class(PlaneId(face)), face))
             .collect();
         members.sort_unstable();
-        members
-    }
-
-    /// The faces that may appear in a cell.
-    fn list(&self, cell: &Cell, segments: &[Segment], members: &[(PlaneId, u32)]) -> Vec<u32> {
-        let mut list: Vec<u32> = (cell.sources.iter())
-            .map(|&s| segments[s as usize].face)
-            .collect();
-        for visible in cell.sides.iter().flatten() {
-            let first = members.partition_point(|m| m.0 < visible.plane);
-            let same = members[first..].iter().take_while(|m| m.0 == visible.plane);
-            list.extend(same.map(|m| m.1));
-        }
-        list.sort_unstable();
-        list.dedup();
-        list
-    }
-
-    /// Cuts a cell in two, if that makes lists shorter.
-    fn halve(
-        &mut self,
-        cell: &Cell,
-        list: &[u32],
-        segments: &[Segment],
-        members: &[(PlaneId, u32)],
-    ) -> Option<[Cell; 2]> {
-        let widths = cell.frame.map(|[low, high]| high - low);
-        let axis = usize::from(widths[1] > widths[0]);
-        let [low, high] = cell.frame[axis];
-        let mut middles: Vec<f64> = (cell.sources.iter())
-            .filter_map(|&s| clip(&segments[s as usize].ends, &cell.frame))
-            .map(|[p, q]| p[axis].midpoint(q[axis]))
-            .collect();
-        let middle = if middles.len() < 2 {
-            low.midpoint(high)
-        } else {
-            let half = middles.len() / 2;
-            *middles.select_nth_unstable_by(half, f64::total_cmp).1
-        };
-        for attempt in 0..TRIES {
-            let c = coarse(middle, high - low, attempt);
-            if !(low < c && c < high) {
-                continue;
+        let planes = members.iter().map(|m| m.0).collect();
+        for pair in self.convex_pairs(planes) {
+            let [of, with] = pair.map(|plane| {
+                let first = members.partition_point(|m| m.0 < plane);
+                members[first..].iter().take_while(move |m| m.0 == plane)
+            });
+            for f in of {
+                for g in with.clone() {
+                    found.add(f.1, g.1);
+                }
             }
-            let cut = Cut::new(&self.planes, c, axis == 1);
-            let Some(mut roof) = self.section(&cut, list) else {
-                continue;
-            };
-            let [from, to] = cell.frame[1 - axis];
-            roof.retain(|v| v.from <= to && v.to >= from);
-            let halves = [0, 1].map(|half| self.half(cell, axis, c, half, &roof, segments));
-            let longest = (halves.iter())
-                .map(|half| self.list(half, segments, members).len())
-                .max()
-                .unwrap_or_default();
-            let is_shorter =
-                longest * 16 <= list.len() * 15 || !cell.sources.is_empty() && longest < list.len();
-            return is_shorter.then_some(halves);
         }
-        None
     }
 
-    /// One half of a cell.
-    fn half(
-        &self,
-        cell: &Cell,
-        axis: usize,
-        c: f64,
-        half: usize,
-        roof: &[Visible],
-        segments: &[Segment],
-    ) -> Cell {
-        let mut frame = cell.frame;
-        frame[axis][1 - half] = c;
-        let sources = cell.sources.iter().copied();
-        let sources = sources.filter(|&s| clip(&segments[s as usize].ends, &frame).is_some());
-        let mut sides = cell.sides.clone();
-        sides[2 * axis + 1 - half] = roof.to_vec();
-        let [from, to] = frame[axis];
-        // The sides across the cut are cut, too.
-        for side in &mut sides[2 * (1 - axis)..2 * (1 - axis) + 2] {
-            side.retain(|v| v.from <= to && v.to >= from);
+    /// What can be known of where things are in a cell: the motorcycle vertices in it, and its valleys, from their notches to where their tracks leave
+    /// the cell's frame.
+    fn points_in(&self, cell: &Cell) -> (Vec<[f64; 2]>, Vec<[[f64; 2]; 2]>) {
+        let frame = cell.frame();
+        let inside = |p: [f64; 2]| (0..2).all(|k| frame[k][0] < p[k] && p[k] < frame[k][1]);
+        let (mut points, mut valleys) = (Vec::new(), Vec::new());
+        for (node, track) in cell.notches() {
+            let start = middle(node);
+            let end = self.ends[track as usize];
+            if let CellCorner::At(_) = node.what {
+                points.push(start);
+            }
+            if inside(end) {
+                points.push(end);
+            }
+            valleys.push(clip([start, end], &frame));
         }
-        Cell {
-            frame,
-            sources: sources.collect(),
-            sides,
-            depth: cell.depth + 1,
+        (points, valleys)
+    }
+
+    /// A cut through a cell: through the median of the motorcycle vertices in it, or else between its valleys; and whether it is the latter.
+    fn cut_for(&self, cell: &Cell, attempt: usize) -> Option<(Cut, bool)> {
+        let frame = cell.frame();
+        let (mut points, valleys) = self.points_in(cell);
+        let is_late = cell.is_late || points.len() < 3 || attempt >= TRIES / 2;
+        if is_late {
+            points = valleys
+                .iter()
+                .map(|[p, q]| [0, 1].map(|k| p[k].midpoint(q[k])))
+                .collect();
+        }
+        if points.is_empty() {
+            // A hole, or a valley that only passes.
+            points.push(frame.map(|[low, high]| low.midpoint(high)));
+        }
+        let gap_of = if is_late == cell.is_late {
+            attempt / 2
+        } else {
+            attempt % (TRIES / 2) / 2
+        };
+        let mut cuts = [0, 1].map(|axis| {
+            let [low, high] = frame[axis];
+            let mut values: Vec<f64> = points.iter().map(|p| p[axis].clamp(low, high)).collect();
+            values.extend([low, high]);
+            values.sort_by(f64::total_cmp);
+            let count = values.len() - 1;
+            // The gap next to the median, or one further away.
+            let mut gaps: Vec<usize> = (0..count).filter(|&i| values[i] < values[i + 1]).collect();
+            gaps.sort_by_key(|&i| ((2 * i + 1).abs_diff(count), i));
+            let gap = *gaps.get(gap_of)?;
+            let c = between(values[gap], values[gap + 1])?;
+            // How many are certainly on either side.
+            let least = |sides: &mut dyn Iterator<Item = [f64; 2]>| {
+                let mut counts = [0; 2];
+                for [p, q] in sides {
+                    counts[0] += usize::from(p.max(q) < c);
+                    counts[1] += usize::from(p.min(q) > c);
+                }
+                counts[0].min(counts[1])
+            };
+            let by_points = least(&mut points.iter().map(|p| [p[axis]; 2]));
+            let by_valleys = least(&mut valleys.iter().map(|[p, q]| [p[axis], q[axis]]));
+            Some((c, [by_points, by_valleys], high - low))
+        });
+        let value = |cut: &Option<(f64, [usize; 2], f64)>| {
+            cut.map_or((0, 0.0), |(_, [points, valleys], width)| {
+                let value = if is_late {
+                    3 * valleys + points
+                } else {
+                    points + valleys
+                };
+                (value + 1, width)
+            })
+        };
+        let [x, y] = cuts.each_ref().map(value);
+        let swap = y.0 > x.0 || y.0 == x.0 && y.1 > x.1;
+        let axis = usize::from(swap) ^ (attempt % 2);
+        let (c, _, _) = cuts[axis].take()?;
+        Some((Cut::across(&self.planes, axis, c), is_late))
+    }
+}
+
+/// The part of a segment within a frame, roughly, from its start.
+fn clip([p, q]: [[f64; 2]; 2], frame: &[[f64; 2]; 2]) -> [[f64; 2]; 2] {
+    let mut to = 1.0_f64;
+    for k in 0..2 {
+        let d = q[k] - p[k];
+        let bound = if d > 0.0 { frame[k][1] } else { frame[k][0] };
+        if d != 0.0 {
+            to = to.min(((bound - p[k]) / d).max(0.0));
         }
     }
+    [p, [0, 1].map(|k| p[k] + to * (q[k] - p[k]))]
 }

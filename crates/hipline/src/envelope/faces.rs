@@ -51,13 +51,28 @@ impl Along<'_, '_> {
     }
 }
 
+/// Whether both are where the same three planes meet.
+fn is_same_meeting(p: &Place, q: &Place) -> bool {
+    let (
+        Place::Event { pair, moment },
+        Place::Event {
+            pair: other,
+            moment: same,
+        },
+    ) = (p, q)
+    else {
+        return false;
+    };
+    moment == same && pair.iter().chain(other).all(|plane| moment.contains(plane))
+}
+
 impl Chart for Along<'_, '_> {
     type Spot = Place;
 
     fn order(&self, p: &Place, q: &Place) -> Ordering {
         // The sides of slabs are perpendiculars: many places lie straight above one start, which is costly to find out.
         let [a, b] = [p, q].map(|place| self.start_below(place));
-        if a.is_some() && a == b {
+        if a.is_some() && a == b || is_same_meeting(p, q) {
             return Ordering::Equal;
         }
         self.0.planes.compare_along(p, q, self.1)
@@ -108,11 +123,12 @@ pub(super) struct Outline {
 impl Envelope<'_> {
     /// Finds what is visible of a face, given the faces that may border on it.
     pub(super) fn outline(&mut self, face: u32, others: &[u32]) -> Outline {
-        let own = &self.sources[face as usize];
+        let shared = self.shared.clone();
+        let own = &shared.sources[face as usize];
         let mut pieces = Vec::new();
         for &other in others {
             for slab in &own.slabs {
-                for beyond in &self.sources[other as usize].slabs {
+                for beyond in &shared.sources[other as usize].slabs {
                     self.count.cuts += 1;
                     if let Some([from, to]) = self.cut(slab, beyond) {
                         let of = self.class(PlaneId(other)).0;

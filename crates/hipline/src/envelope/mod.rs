@@ -6,20 +6,28 @@
 //! propagated.
 //!
 //! 1. [`slabs`]: sources and their slabs; the stretch on which two slabs meet.
-//! 2. [`cells`]: divide and conquer over the plan tells which faces may border on each other; [`section`] has the roof above a cut.
+//! 2. [`cells`]: divide and conquer over the plan tells which faces may border on each other. [`boundary`] has the cells, [`section`] the roof above a cut,
+//!    [`split`] and [`strips`] what a cut and its descent paths leave, [`convex`] and [`extended`] the last cells.
 //! 3. [`faces`]: what is visible of each face, a lower envelope seen along its edge ([`profile`]).
 //! 4. [`glue`]: the visible stretches, each named by two faces, become traces, linked into boundaries.
 //!
 //! Nothing is perturbed and no case is degenerate: all that is asked are the signs of planes at meetings of planes, as
-//! in the other engines. Where it departs from the thesis, and that its bound does not hold here, is told in [`cells`] and in
+//! in the other engines. Where it departs from the thesis, and under which condition its bound holds, is told in [`split`], [`cells`] and in
 //! `docs/engines.md`.
 
+mod boundary;
 mod cells;
+mod convex;
+mod extended;
 mod faces;
 mod glue;
 mod profile;
 mod section;
 mod slabs;
+mod split;
+mod spread;
+mod strips;
+pub mod subdivision;
 
 use crate::{
     engine::NotApplicable,
@@ -29,7 +37,8 @@ use crate::{
     skeleton::{Region, Skeleton, Stats, assemble},
 };
 use faces::Outline;
-use slabs::Sources;
+use slabs::{Slab, Sources};
+use std::sync::Arc;
 
 /// What was counted.
 #[derive(Clone, Copy, Debug, Default)]
@@ -44,13 +53,42 @@ struct Count {
     listed: u64,
     /// Slabs restricted to cuts.
     sections: u64,
+    /// Planes that vanished on lower envelopes of planes.
+    planes: u64,
+    /// The sum of the lengths of the lists of last cells.
+    last: u64,
+    /// Pairs of faces that were taken without a closer look.
+    pairs: u64,
     merging: profile::Count,
 }
 
+impl Count {
+    /// Adds what another thread counted.
+    #[cfg(feature = "parallel")]
+    fn add(&mut self, other: &Self) {
+        self.cuts += other.cuts;
+        self.cells += other.cells;
+        self.depth = self.depth.max(other.depth);
+        self.listed += other.listed;
+        self.sections += other.sections;
+        self.planes += other.planes;
+        self.last += other.last;
+        self.pairs += other.pairs;
+        self.merging.steps += other.merging.steps;
+    }
+}
+
+/// Where a slab is found.
+#[derive(Clone, Copy, Debug)]
+struct SlabRef {
+    face: u32,
+    /// Among those of its face.
+    index: u32,
+}
+
 /// What is known of a figure. Faces are named by the numbers of their planes.
-struct Envelope<'a> {
+struct Shared<'a> {
     figure: &'a Figure,
-    planes: Planes,
     tracks: Tracks,
     /// The lowest number of a plane that is the same one.
     classes: Vec<u32>,
@@ -61,7 +99,33 @@ struct Envelope<'a> {
     /// For each face, those of the wavefront edges before and after it.
     beside: Vec<[u32; 2]>,
     sources: Vec<Sources>,
+    /// All slabs, numbered by face, from left to right.
+    refs: Vec<SlabRef>,
+    /// The slabs of each track: on its first plane, and on its second one.
+    slabs_of_track: Vec<[u32; 2]>,
+    /// Where tracks end, roughly.
+    ends: Vec<[f64; 2]>,
+    /// A triangle of the mesh at each face.
+    triangles: Vec<u32>,
+}
+
+/// The same, with what one thread works with.
+struct Envelope<'a> {
+    shared: Arc<Shared<'a>>,
+    planes: Planes,
     count: Count,
+    /// Faces on one plane whose slabs lie over one another.
+    twins: Vec<[u32; 2]>,
+    /// The cells after the first stage and after the second one, if they are asked for.
+    seen: Option<[Vec<boundary::Cell>; 2]>,
+}
+
+impl<'a> std::ops::Deref for Envelope<'a> {
+    type Target = Shared<'a>;
+
+    fn deref(&self) -> &Shared<'a> {
+        &self.shared
+    }
 }
 
 /// Computes the straight skeleton of the inside of a figure's polygons.
@@ -79,13 +143,12 @@ pub(crate) fn skeleton(figure: &Figure, region: Region) -> Result<Skeleton, NotA
 /// The lower envelope of the slabs of the edges and of given tracks.
 fn build(figure: &Figure, planes: Planes, tracks: Tracks) -> Skeleton {
     let mut envelope = Envelope::new(figure, planes, tracks);
-    envelope.find_slabs();
     let outlines = envelope.outlines();
     let front = envelope.glue(outlines);
     let rungs = envelope.planes.rungs.get();
     let count = envelope.count;
     let stats = Stats {
-        steps: count.cuts + count.sections + count.merging.steps,
+        steps: count.cuts + count.sections + count.planes + count.merging.steps,
         by_f64: rungs.by_f64,
         by_double_double: rungs.by_double_double,
         by_wide: rungs.by_wide,
@@ -106,26 +169,42 @@ impl<'a> Envelope<'a> {
     fn new(figure: &'a Figure, planes: Planes, tracks: Tracks) -> Self {
         let classes = planes.classes();
         let count = 2 * figure.edges().len();
-        let mut envelope = Self {
+        let ends = tracks.motorcycles.iter().map(|track| {
+            let end = track
+                .end
+                .as_ref()
+                .expect("inside of polygons nobody escapes");
+            let [x, y, _] = planes.round(end);
+            [x, y]
+        });
+        let mut shared = Shared {
             figure,
-            planes,
+            ends: ends.collect(),
+            slabs_of_track: vec![[u32::MAX; 2]; tracks.motorcycles.len()],
             tracks,
             classes,
             across: [PlaneId(0); 2],
             faces: Vec::new(),
             beside: vec![[u32::MAX; 2]; count],
             sources: vec![Sources::default(); count],
-            count: Count::default(),
+            refs: Vec::new(),
+            triangles: vec![u32::MAX; count],
         };
-        envelope.find_faces();
-        let first = PlaneId(envelope.faces[0]);
-        let other =
-            (envelope.faces.iter()).find(|&&f| !envelope.planes.turn(first, PlaneId(f)).is_zero());
-        envelope.across = [
+        shared.find_faces();
+        let first = PlaneId(shared.faces[0]);
+        let other = (shared.faces.iter()).find(|&&f| !planes.turn(first, PlaneId(f)).is_zero());
+        shared.across = [
             first,
             PlaneId(*other.expect("a polygon has two directions")),
         ];
-        envelope
+        shared.find_slabs();
+        Self {
+            shared: Arc::new(shared),
+            planes,
+            count: Count::default(),
+            twins: Vec::new(),
+            seen: None,
+        }
     }
 
     /// What is visible of each face, by the faces that may border on it.
@@ -148,14 +227,25 @@ impl<'a> Envelope<'a> {
                 fill[own as usize] += 1;
             }
         }
-        let mut outlines: Vec<Option<Outline>> = vec![None; self.sources.len()];
-        for face in self.faces.clone() {
+        let faces = self.faces.clone();
+        let found = self.spread(&faces, |envelope, &face| {
             let range = first[face as usize]..first[face as usize + 1];
-            outlines[face as usize] = Some(self.outline(face, &others[range]));
+            envelope.outline(face, &others[range])
+        });
+        let mut outlines: Vec<Option<Outline>> = vec![None; self.sources.len()];
+        for (&face, outline) in faces.iter().zip(found) {
+            outlines[face as usize] = Some(outline);
         }
         outlines
     }
 
+    fn slab(&self, number: u32) -> &Slab {
+        let SlabRef { face, index } = self.refs[number as usize];
+        &self.sources[face as usize].slabs[index as usize]
+    }
+}
+
+impl Shared<'_> {
     fn class(&self, plane: PlaneId) -> PlaneId {
         PlaneId(self.classes[plane.0 as usize])
     }
@@ -188,6 +278,7 @@ impl<'a> Envelope<'a> {
                     continue;
                 };
                 self.faces.push(out);
+                self.triangles[out as usize] = t as u32;
                 let vertex = mesh.corners[t][corner];
                 let (mut at, mut k) = (t, corner);
                 let inn = loop {

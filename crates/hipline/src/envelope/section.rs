@@ -3,97 +3,176 @@
 
 use super::{
     Envelope,
+    boundary::Node,
     profile::{Chart, Meet, Piece, lower_envelope},
-    slabs::Slab,
 };
-use crate::predicates::{Cut, PlaneId, Track as Border};
+use crate::predicates::{CellCorner, Line, PlaneId, Planes, Station, Track as Border};
 use hipline_num::Sign;
-use std::{cell::Cell, cmp::Ordering};
+use std::{
+    cell::{Cell, RefCell},
+    cmp::Ordering,
+    sync::Arc,
+};
 
-/// A place on a cut.
+/// A cut, and along which axis places on it are told apart in f64.
 #[derive(Clone, Debug)]
-pub(super) enum Spot {
+pub(super) struct Cut {
+    pub line: Line,
+    /// 1 for y.
+    pub axis: usize,
+    /// Whether it goes down along this axis.
+    pub is_down: bool,
+    /// The other coordinate of its points, if it is parallel to the axis.
+    pub bounds: [f64; 2],
+}
+
+impl Cut {
+    /// The cut up, or to the right, where a coordinate has the given value.
+    pub(super) fn across(planes: &Planes, axis: usize, c: f64) -> Self {
+        let at = Arc::new(Station::new(planes, [c, c]));
+        Self {
+            line: if axis == 0 {
+                Line::Vertical(at)
+            } else {
+                Line::Horizontal(at)
+            },
+            axis: 1 - axis,
+            is_down: false,
+            bounds: [c, c],
+        }
+    }
+
+    /// Bounds of how far along it a corner is.
+    pub(super) fn along(&self, node: &Node) -> [f64; 2] {
+        let [low, high] = node.frame[self.axis];
+        if self.is_down {
+            [-high, -low]
+        } else {
+            [low, high]
+        }
+    }
+}
+
+/// What a cut meets at a place.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Mark {
     /// Before all others.
     First,
-    /// Where a border crosses it.
-    On(Border),
+    /// The source of a slab.
+    Source(u32),
+    /// The side of a slab: 0 at the start of its source.
+    Side(u32, usize),
+    /// Where two planes agree.
+    Planes([PlaneId; 2]),
     /// After all others.
     Last,
 }
 
+/// A place on a cut, and bounds of where it is.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Spot {
+    pub mark: Mark,
+    pub bounds: [f64; 2],
+}
+
 /// A cut: the curves over it are the times of planes.
-struct Above<'a, 'b> {
+pub(super) struct Above<'a, 'b> {
     envelope: &'a Envelope<'b>,
     cut: &'a Cut,
     /// Whether two planes were found to agree all along the cut.
     tied: Cell<bool>,
+    /// Faces on one plane whose slabs were found over one another.
+    twins: RefCell<Vec<[u32; 2]>>,
 }
 
 impl Chart for Above<'_, '_> {
     type Spot = Spot;
 
     fn order(&self, p: &Spot, q: &Spot) -> Ordering {
-        match (p, q) {
-            (Spot::On(p), Spot::On(q)) if p == q => Ordering::Equal,
-            (Spot::On(p), Spot::On(q)) => self.envelope.planes.compare_on_cut(self.cut, p, q),
-            (Spot::First, Spot::First) | (Spot::Last, Spot::Last) => Ordering::Equal,
-            (Spot::First, _) | (_, Spot::Last) => Ordering::Less,
-            (Spot::Last, _) | (_, Spot::First) => Ordering::Greater,
+        if p.bounds[1] < q.bounds[0] {
+            return Ordering::Less;
+        }
+        if p.bounds[0] > q.bounds[1] {
+            return Ordering::Greater;
+        }
+        match (p.mark, q.mark) {
+            (p, q) if p == q => Ordering::Equal,
+            (Mark::First, _) | (_, Mark::Last) => Ordering::Less,
+            (Mark::Last, _) | (_, Mark::First) => Ordering::Greater,
+            (p, q) if self.envelope.is_same_line(p, q) => Ordering::Equal,
+            (p, q) => {
+                let [p, q] = [p, q].map(|mark| self.envelope.line_of(mark));
+                self.envelope.planes.compare_on_cut(&self.cut.line, &p, &q)
+            }
         }
     }
 
     fn meet(&self, a: u32, b: u32) -> Meet<Spot> {
+        let [i, j] = [a, b].map(|slab| self.envelope.class(self.envelope.slab(slab).plane));
+        if i == j {
+            let faces = [a, b].map(|slab| self.envelope.refs[slab as usize].face);
+            if faces[0] != faces[1] {
+                self.twins.borrow_mut().push(faces);
+            }
+            return Meet::Never(Sign::from(b.cmp(&a)));
+        }
         // Positive where a is later, so higher.
-        let border = Border::Equal([a, b].map(PlaneId));
+        let line = Line::Border(Border::Equal([i, j]));
         let planes = &self.envelope.planes;
-        match planes.slope_on_cut(self.cut, &border) {
+        match planes.slope_on_cut(&self.cut.line, &line) {
             Sign::Zero => {
-                let side = planes.side_of_cut(self.cut, &border);
+                let side = planes.side_of_cut(&self.cut.line, &line);
                 if side.is_zero() {
                     self.tied.set(true);
                 }
                 Meet::Never(-side)
             }
-            slope => Meet::At(Spot::On(border), -slope),
+            slope => {
+                let bounds = self.envelope.bounds_on(self.cut, &line);
+                let mark = Mark::Planes([i, j]);
+                Meet::At(Spot { mark, bounds }, -slope)
+            }
         }
     }
 }
 
-impl Above<'_, '_> {
+impl<'a, 'b> Above<'a, 'b> {
+    pub(super) fn new(envelope: &'a Envelope<'b>, cut: &'a Cut) -> Self {
+        Self {
+            envelope,
+            cut,
+            tied: Cell::new(false),
+            twins: RefCell::default(),
+        }
+    }
+
     /// The part of the cut below a slab.
-    fn restrict(&self, slab: &Slab) -> Option<[Spot; 2]> {
+    pub(super) fn restrict(&self, number: u32) -> Option<[Spot; 2]> {
         let planes = &self.envelope.planes;
-        let source = match slab.beside {
-            None => Border::Level(slab.plane, 0.0),
-            Some(x) => Border::Equal([slab.plane, x]),
-        };
-        let [from, to] = slab.ends.map(|end| Border::Across(slab.plane, end.into()));
-        let mut ends = [Spot::First, Spot::Last];
+        let bounds = [f64::NEG_INFINITY, f64::INFINITY];
+        let mut ends = [Mark::First, Mark::Last].map(|mark| Spot { mark, bounds });
         let wanted = [
-            (source, Sign::Positive),
-            (from, Sign::Positive),
-            (to, Sign::Negative),
+            (Mark::Source(number), Sign::Positive),
+            (Mark::Side(number, 0), Sign::Positive),
+            (Mark::Side(number, 1), Sign::Negative),
         ];
-        for (border, side) in wanted {
-            match planes.slope_on_cut(self.cut, &border) * side {
-                Sign::Zero => {
-                    if (planes.side_of_cut(self.cut, &border) * side).is_negative() {
-                        return None;
-                    }
-                    continue;
+        for (mark, side) in wanted {
+            let line = self.envelope.line_of(mark);
+            let slope = planes.slope_on_cut(&self.cut.line, &line) * side;
+            if slope.is_zero() {
+                if (planes.side_of_cut(&self.cut.line, &line) * side).is_negative() {
+                    return None;
                 }
-                Sign::Positive => {
-                    let spot = Spot::On(border);
-                    if self.order(&spot, &ends[0]).is_gt() {
-                        ends[0] = spot;
-                    }
+                continue;
+            }
+            let bounds = self.envelope.bounds_on(self.cut, &line);
+            let spot = Spot { mark, bounds };
+            if slope.is_positive() {
+                if self.order(&spot, &ends[0]).is_gt() {
+                    ends[0] = spot;
                 }
-                Sign::Negative => {
-                    let spot = Spot::On(border);
-                    if self.order(&spot, &ends[1]).is_lt() {
-                        ends[1] = spot;
-                    }
-                }
+            } else if self.order(&spot, &ends[1]).is_lt() {
+                ends[1] = spot;
             }
             if self.order(&ends[0], &ends[1]).is_ge() {
                 return None;
@@ -103,52 +182,81 @@ impl Above<'_, '_> {
     }
 }
 
-/// A plane on the roof above a cut, between bounds of where it is.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Visible {
-    /// By class.
-    pub plane: PlaneId,
-    pub from: f64,
-    pub to: f64,
-}
-
 impl Envelope<'_> {
-    /// The roof of some faces above a cut; `None` if two of them agree all along it, so that each may
+    /// The line on which a place on a cut lies.
+    pub(super) fn line_of(&self, mark: Mark) -> Line {
+        let border = match mark {
+            Mark::Source(number) => {
+                let slab = self.slab(number);
+                match slab.beside {
+                    None => Border::Level(slab.plane, 0.0),
+                    Some(x) => Border::Equal([slab.plane, x]),
+                }
+            }
+            Mark::Side(number, end) => {
+                let slab = self.slab(number);
+                Border::Across(slab.plane, slab.ends[end].into())
+            }
+            Mark::Planes(pair) => Border::Equal(pair),
+            Mark::First | Mark::Last => unreachable!("no line is there"),
+        };
+        Line::Border(border)
+    }
+
+    /// Whether two marks lie on one line by definition: as neighbouring slabs do, which is costly to find out.
+    fn is_same_line(&self, p: Mark, q: Mark) -> bool {
+        let side = |mark: Mark| match mark {
+            Mark::Side(number, end) => {
+                let slab = self.slab(number);
+                Some((self.class(slab.plane), slab.ends[end]))
+            }
+            _ => None,
+        };
+        let pair = |mark: Mark| {
+            let pair = match mark {
+                Mark::Planes(pair) => pair,
+                Mark::Source(number) => {
+                    let slab = self.slab(number);
+                    [slab.plane, slab.beside?].map(|plane| self.class(plane))
+                }
+                _ => return None,
+            };
+            Some([pair[0].min(pair[1]), pair[0].max(pair[1])])
+        };
+        side(p).is_some() && side(p) == side(q) || pair(p).is_some() && pair(p) == pair(q)
+    }
+
+    /// Bounds of where a cut crosses a line.
+    pub(super) fn bounds_on(&self, cut: &Cut, line: &Line) -> [f64; 2] {
+        let corner = CellCorner::Of(cut.line.clone(), line.clone());
+        let [low, high] = self.planes.bounds_of(&corner)[cut.axis];
+        if cut.is_down {
+            [-high, -low]
+        } else {
+            [low, high]
+        }
+    }
+
+    /// The roof of some slabs above a cut, from its start to its end; `None` if two of them agree all along it, so that each may
     /// be visible on one side only.
     ///
     /// # Complexity
     /// O(k α(k) log k) questions for k slabs.
-    pub(super) fn section(&mut self, cut: &Cut, faces: &[u32]) -> Option<Vec<Visible>> {
+    pub(super) fn section(&mut self, cut: &Cut, slabs: &[u32]) -> Option<Vec<Piece<Spot>>> {
         let mut count = self.count;
-        let chart = Above {
-            envelope: self,
-            cut,
-            tied: Cell::new(false),
-        };
+        let chart = Above::new(self, cut);
         let mut pieces = Vec::new();
-        for &face in faces {
-            for slab in &self.sources[face as usize].slabs {
-                if let Some([from, to]) = chart.restrict(slab) {
-                    let of = self.class(slab.plane).0;
-                    pieces.push(Piece { from, to, of });
-                }
+        for &of in slabs {
+            if let Some([from, to]) = chart.restrict(of) {
+                pieces.push(Piece { from, to, of });
             }
         }
         count.sections += pieces.len() as u64;
         let roof = lower_envelope(&chart, pieces, &mut count.merging);
         let tied = chart.tied.get();
-        let bounds = |spot: &Spot| match spot {
-            Spot::First => [f64::NEG_INFINITY; 2],
-            Spot::On(border) => self.planes.bounds_on_cut(cut, border),
-            Spot::Last => [f64::INFINITY; 2],
-        };
-        let visible = roof.iter().map(|piece| Visible {
-            plane: PlaneId(piece.of),
-            from: bounds(&piece.from)[0],
-            to: bounds(&piece.to)[1],
-        });
-        let visible = visible.collect();
+        let twins = chart.twins.take();
+        self.twins.extend(twins);
         self.count = count;
-        (!tied).then_some(visible)
+        (!tied).then_some(roof)
     }
 }

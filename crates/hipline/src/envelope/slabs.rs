@@ -4,7 +4,7 @@
 //! perpendiculars to i's edge through these. Above the track of planes i and j, the places of plane i are those that plane j has passed:
 //! that is a question about signs. So a slab is cut with a plane k by asking for places on the line of i and k.
 
-use super::Envelope;
+use super::{Envelope, Shared, SlabRef};
 use crate::{
     motorcycle::tracks::{Crash, Origin},
     predicates::{Bound, Place, PlaneId, Start},
@@ -20,6 +20,8 @@ pub(super) struct Slab {
     pub ends: [Start; 2],
     /// The other plane of the track, if its source is a track.
     pub beside: Option<PlaneId>,
+    /// The number of the track.
+    pub track: Option<u32>,
 }
 
 /// What belongs to the face of one side of an edge.
@@ -41,10 +43,10 @@ fn start_of(place: &Place) -> Start {
     }
 }
 
-impl Envelope<'_> {
+impl Shared<'_> {
     /// Finds the slabs of all faces.
     pub(super) fn find_slabs(&mut self) {
-        let vertices = self.figure.vertices();
+        let vertices = self.figure.vertices().to_vec();
         let mut first: Vec<[Option<u32>; 2]> = vec![[None; 2]; self.sources.len()];
         for (number, track) in self.tracks.motorcycles.iter().enumerate() {
             if let Origin::Vertex(_) = track.origin {
@@ -54,7 +56,7 @@ impl Envelope<'_> {
                 }
             }
         }
-        for &face in &self.faces {
+        for face in self.faces.clone() {
             let plane = PlaneId(face);
             let tracks = [0, 1].map(|side| self.chain(plane, side, first[face as usize][side]));
             let slab = |side: usize, number: u32| {
@@ -71,6 +73,7 @@ impl Envelope<'_> {
                     plane,
                     ends,
                     beside: Some(track.pair[1 - side]),
+                    track: Some(number),
                 }
             };
             let edge = &self.figure.edges()[face as usize / 2];
@@ -83,8 +86,19 @@ impl Envelope<'_> {
                 plane,
                 ends,
                 beside: None,
+                track: None,
             });
             slabs.extend(tracks[1].iter().map(|&t| slab(1, t)));
+            for (index, slab) in slabs.iter().enumerate() {
+                let number = self.refs.len() as u32;
+                let index = index as u32;
+                self.refs.push(SlabRef { face, index });
+                if let Some(track) = slab.track {
+                    let pair = self.tracks.motorcycles[track as usize].pair;
+                    let side = usize::from(pair[1] == plane);
+                    self.slabs_of_track[track as usize][side] = number;
+                }
+            }
             self.sources[face as usize] = Sources { tracks, slabs };
         }
     }
@@ -104,7 +118,9 @@ impl Envelope<'_> {
         }
         chain
     }
+}
 
+impl Envelope<'_> {
     /// A moment when two parallel planes meet: that of a third plane is no matter.
     pub(super) fn level(&self, e: PlaneId, g: PlaneId) -> [PlaneId; 3] {
         let across = if self.planes.turn(e, self.across[0]).is_zero() {

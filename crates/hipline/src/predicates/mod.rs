@@ -39,7 +39,7 @@ pub(crate) use orientation::orientation;
 pub(crate) use passage::{Lane, Rail};
 pub(crate) use place::{Bound, Place, Start};
 pub(crate) use planes::{PlaneId, Planes};
-pub(crate) use section::Cut;
+pub(crate) use section::{CellCorner, Line};
 pub(crate) use station::{Spot, Station, Track, Way, rough_side};
 pub(crate) use terminal::Terminal;
 pub(crate) use turn::turn;

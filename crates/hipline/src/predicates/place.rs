@@ -84,6 +84,16 @@ pub(super) struct Point<T> {
 
 pub(super) fn input<T: Rung>(planes: &Planes, [x, y]: [f64; 2]) -> Point<T> {
     let coordinate = |x: f64, origin: f64| {
+        // As a rule, a difference of two numbers on the grid is exact and small.
+        let d = x - origin;
+        let back = x - d;
+        let is_exact = back.total_cmp(&origin).is_eq() && (d + back).total_cmp(&x).is_eq();
+        if is_exact && planes.shift == 0 && planes.unit.abs() < 512 {
+            let scaled = d * 2.0_f64.powi(-planes.unit);
+            if scaled.abs() < (1_i64 << 53) as f64 {
+                return T::from_i64(scaled as i64);
+            }
+        }
         let scaled = |x: f64| {
             let (mantissa, exponent) = f64_to_parts(x);
             if mantissa == IBig::ZERO {

@@ -1,113 +1,193 @@
-//! What a cut along an axis meets: borders of faces, and in which order.
+//! Cuts through the plan: what they meet, and in which order; corners of the cells between them.
 //!
-//! On the line x = c, the border `u x + v y = z` is at y = (z - u c) / v. So where borders cross a cut, and
-//! on which part of it one is on their positive side, are signs of polynomials in the planes of the input and c.
+//! Every line here is `u x + v y = z` with numbers made of planes of the input and of points that somebody chose, so where two
+//! lines cross, and on which side of a third one that is, are signs of polynomials. Nothing is computed from such a crossing.
 
 use dashu_int::IBig;
 use hipline_num::{Ball, Sign};
-use std::cmp::Ordering;
+use std::{cmp::Ordering, sync::Arc};
 
 use super::{
     decide::Question,
-    planes::{Planes, Rung},
+    planes::{PlaneId, Planes, Rung},
     station::{Station, Track, line},
 };
 
-/// A line parallel to an axis.
-#[derive(Debug)]
-pub(crate) struct Cut {
-    /// A point of it, of which one coordinate matters.
-    at: Station,
-    /// Whether it is horizontal.
-    horizontal: bool,
+/// A line of the plan, directed: its left is positive.
+#[derive(Debug, Clone)]
+pub(crate) enum Line {
+    /// A border of faces or of slabs.
+    Border(Track),
+    /// Straight down on a plane through a point; what is further along the plane's edge is positive.
+    Down(PlaneId, Arc<Station>),
+    /// Up through a point.
+    Vertical(Arc<Station>),
+    /// To the right through a point.
+    Horizontal(Arc<Station>),
 }
 
-impl Cut {
-    /// The line x = c, or y = c. The number must be finite.
-    pub(crate) fn new(planes: &Planes, c: f64, horizontal: bool) -> Self {
-        let at = Station::new(planes, [c, c]);
-        Self { at, horizontal }
-    }
+/// A corner of a cell.
+#[derive(Debug, Clone)]
+pub(crate) enum CellCorner {
+    At(Arc<Station>),
+    /// Where two lines cross.
+    Of(Line, Line),
+}
 
-    /// `[p, q]` with the place `p / q` on the cut where the border is, in units of the grid; and the sign of the side
-    /// beyond it, along the cut.
-    fn crossing<T: Rung>(&self, planes: &Planes, border: &Track) -> ([T; 2], Option<Sign>) {
-        let ([u, v, z], sign) = line::<T>(planes, border);
-        let integer = |x: &IBig, shift: i32| T::integer(x, shift);
-        let [x, y, w] = self.at.parts();
-        let w = integer(w, 0);
-        let (across, along, c) = if self.horizontal {
-            (v, u, y)
-        } else {
-            (u, v, x)
-        };
-        let p = z.times(&w).minus(&across.times(&integer(c, planes.shift)));
-        ([p, along.times(&w)], sign)
+/// `[u, v, z]` of a line, such that `u x + v y - z` has the sign of its sides, but for the sign that comes second.
+fn numbers<T: Rung>(planes: &Planes, of: &Line) -> ([T; 3], Option<Sign>) {
+    match of {
+        Line::Border(track) => line(planes, track),
+        Line::Down(plane, at) => {
+            let plane = T::plane(planes, *plane);
+            let [x, y, w] = at.numbers::<T>(planes);
+            let z = plane.b.times(&x).minus(&plane.a.times(&y));
+            (
+                [plane.b.times(&w), plane.a.negated().times(&w), z],
+                Some(Sign::Positive),
+            )
+        }
+        Line::Vertical(at) => {
+            let [x, _, w] = at.numbers::<T>(planes);
+            ([w.negated(), T::zero(), x.negated()], Some(Sign::Positive))
+        }
+        Line::Horizontal(at) => {
+            let [_, y, w] = at.numbers::<T>(planes);
+            ([T::zero(), w, y], Some(Sign::Positive))
+        }
     }
 }
 
-/// The order of two borders on a cut.
-struct Order<'a>(&'a Cut, &'a Track, &'a Track);
+/// `[x, y, w]` of a corner.
+fn point<T: Rung>(planes: &Planes, corner: &CellCorner) -> [T; 3] {
+    match corner {
+        CellCorner::At(at) => at.numbers(planes),
+        CellCorner::Of(k, l) => {
+            let [k, l] = [k, l].map(|line| numbers::<T>(planes, line).0);
+            let minor = |i: usize, j: usize| k[i].times(&l[j]).minus(&k[j].times(&l[i]));
+            [minor(2, 1), minor(0, 2), minor(0, 1)]
+        }
+    }
+}
+
+/// On which side of a line a corner is.
+struct Beside<'a>(&'a CellCorner, &'a Line);
+
+impl Question for Beside<'_> {
+    fn ask<T: Rung>(&self, planes: &Planes) -> Option<Sign> {
+        let [x, y, w] = point::<T>(planes, self.0);
+        let ([u, v, z], sign) = numbers::<T>(planes, self.1);
+        let value = u.times(&x).plus(&v.times(&y)).minus(&z.times(&w));
+        Some(value.sign()? * w.sign()? * sign?)
+    }
+}
+
+/// The order in which a line crosses two others.
+struct Order<'a>(&'a Line, &'a Line, &'a Line);
 
 impl Question for Order<'_> {
     fn ask<T: Rung>(&self, planes: &Planes) -> Option<Sign> {
-        let ([p, v], _) = self.0.crossing::<T>(planes, self.1);
-        let ([q, w], _) = self.0.crossing::<T>(planes, self.2);
-        Some(p.times(&w).minus(&q.times(&v)).sign()? * v.sign()? * w.sign()?)
+        let (c, sign) = numbers::<T>(planes, self.0);
+        let [p, q] = [self.1, self.2].map(|line| numbers::<T>(planes, line).0);
+        let minor = |i: usize, j: usize| c[i].times(&p[j]).minus(&c[j].times(&p[i]));
+        let w = minor(0, 1);
+        // Where the second one is, seen from the crossing with the first one.
+        let value = (q[0].times(&minor(2, 1)))
+            .plus(&q[1].times(&minor(0, 2)))
+            .minus(&q[2].times(&w));
+        let slope = q[0].times(&c[1]).minus(&q[1].times(&c[0]));
+        Some(value.sign()? * w.sign()? * slope.sign()? * sign?)
     }
 }
 
-/// Whether going along a cut one gets to the positive side of a border, or the negative one; zero if neither.
-struct Slope<'a>(&'a Cut, &'a Track);
+/// Whether going along one line one gets to the positive side of another one, or the negative one.
+struct Slope<'a>(&'a Line, &'a Line);
 
 impl Question for Slope<'_> {
     fn ask<T: Rung>(&self, planes: &Planes) -> Option<Sign> {
-        let ([_, q], sign) = self.0.crossing::<T>(planes, self.1);
-        Some(q.sign()? * sign?)
+        let (c, sign) = numbers::<T>(planes, self.0);
+        let (q, other) = numbers::<T>(planes, self.1);
+        let slope = q[0].times(&c[1]).minus(&q[1].times(&c[0]));
+        Some(slope.sign()? * sign? * other?)
     }
 }
 
-/// On which side of a border a cut is that never crosses it.
-struct Constant<'a>(&'a Cut, &'a Track);
+/// On which side of a line another one is that never crosses it.
+struct Constant<'a>(&'a Line, &'a Line);
 
 impl Question for Constant<'_> {
     fn ask<T: Rung>(&self, planes: &Planes) -> Option<Sign> {
-        let ([p, _], sign) = self.0.crossing::<T>(planes, self.1);
-        Some(-(p.sign()? * sign?))
+        let (c, _) = numbers::<T>(planes, self.0);
+        let (q, sign) = numbers::<T>(planes, self.1);
+        // A point of the first one: z / (u² + v²) along its normal.
+        let dot = q[0].times(&c[0]).plus(&q[1].times(&c[1])).times(&c[2]);
+        let square = c[0].times(&c[0]).plus(&c[1].times(&c[1]));
+        Some(dot.minus(&q[2].times(&square)).sign()? * sign?)
+    }
+}
+
+/// Whether straight down on a plane leads to the positive side of a line.
+struct Sinking<'a>(&'a Line, PlaneId);
+
+impl Question for Sinking<'_> {
+    fn ask<T: Rung>(&self, planes: &Planes) -> Option<Sign> {
+        let ([u, v, _], sign) = numbers::<T>(planes, self.0);
+        let plane = T::plane(planes, self.1);
+        let dot = u.times(&plane.a).plus(&v.times(&plane.b));
+        Some(-(dot.sign()? * sign?))
     }
 }
 
 impl Planes {
-    /// Compares where two borders cross a cut.
-    pub(crate) fn compare_on_cut(&self, cut: &Cut, p: &Track, q: &Track) -> Ordering {
+    /// On which side of a line a corner is.
+    pub(crate) fn side_of_line(&self, corner: &CellCorner, line: &Line) -> Sign {
+        self.decide(&Beside(corner, line))
+    }
+
+    /// Compares where a cut crosses two lines.
+    pub(crate) fn compare_on_cut(&self, cut: &Line, p: &Line, q: &Line) -> Ordering {
         self.decide(&Order(cut, p, q)).ordering()
     }
 
-    /// Whether going along a cut one gets to the positive side of a border, or the negative one; zero if neither.
-    pub(crate) fn slope_on_cut(&self, cut: &Cut, border: &Track) -> Sign {
-        self.decide(&Slope(cut, border))
+    /// Whether going along a cut one gets to the positive side of a line, or the negative one; zero if neither.
+    pub(crate) fn slope_on_cut(&self, cut: &Line, line: &Line) -> Sign {
+        self.decide(&Slope(cut, line))
     }
 
-    /// On which side of a border a cut is that never crosses it.
-    pub(crate) fn side_of_cut(&self, cut: &Cut, border: &Track) -> Sign {
-        self.decide(&Constant(cut, border))
+    /// On which side of a line a cut is that never crosses it.
+    pub(crate) fn side_of_cut(&self, cut: &Line, line: &Line) -> Sign {
+        self.decide(&Constant(cut, line))
     }
 
-    /// Bounds of where a border crosses a cut, in the input's units.
-    pub(crate) fn bounds_on_cut(&self, cut: &Cut, border: &Track) -> [f64; 2] {
-        let ([p, q], _) = cut.crossing::<Ball>(self, border);
-        let at = p.div(&q);
-        let origin = self.origin[usize::from(!cut.horizontal)];
+    /// On which side of a cut straight down on a plane is.
+    pub(crate) fn sinks_to(&self, cut: &Line, plane: PlaneId) -> Sign {
+        self.decide(&Sinking(cut, plane))
+    }
+
+    /// Bounds of the coordinates of a corner, in the input's units.
+    pub(crate) fn bounds_of(&self, corner: &CellCorner) -> [[f64; 2]; 2] {
+        let [x, y, w] = point::<Ball>(self, corner);
         let unit = 2.0_f64.powi(self.unit + self.shift);
-        if !at.error().is_finite() {
-            return [f64::NEG_INFINITY, f64::INFINITY];
-        }
-        let low = (at.lower() * unit).next_down() + origin;
-        let high = (at.upper() * unit).next_up() + origin;
-        if low.is_finite() && high.is_finite() {
-            [low.next_down(), high.next_up()]
-        } else {
-            [f64::NEG_INFINITY, f64::INFINITY]
-        }
+        [(x, 0), (y, 1)].map(|(p, axis)| {
+            let at = p.div(&w);
+            if !at.error().is_finite() {
+                return [f64::NEG_INFINITY, f64::INFINITY];
+            }
+            let origin = self.origin[axis];
+            let low = ((at.lower() * unit).next_down() + origin).next_down();
+            let high = ((at.upper() * unit).next_up() + origin).next_up();
+            if low.is_finite() && high.is_finite() {
+                [low, high]
+            } else {
+                [f64::NEG_INFINITY, f64::INFINITY]
+            }
+        })
     }
+}
+
+/// `[x, y, w]` in machine integers that are f64 numbers, too, if they fit.
+pub(super) fn small(parts: [&IBig; 3]) -> Option<[i64; 3]> {
+    let small = |x: &IBig| i64::try_from(x).ok().filter(|x| x.abs() < 1 << 53);
+    let [x, y, w] = parts;
+    Some([small(x)?, small(y)?, small(w)?])
 }

@@ -15,6 +15,7 @@ use super::{
     expression::Path,
     place::{Place, input, point},
     planes::{Plane, PlaneId, Planes, Rung},
+    section::small,
 };
 
 /// A point in question: `x / w`, `y / w` on the grid of the planes, w a power of two.
@@ -23,6 +24,8 @@ pub(crate) struct Station {
     x: IBig,
     y: IBig,
     w: IBig,
+    /// The same, if these are small.
+    small: Option<[i64; 3]>,
 }
 
 impl Station {
@@ -38,16 +41,22 @@ impl Station {
                 mantissa << (exponent - unit) as usize
             }
         });
-        Self {
-            x: x - u,
-            y: y - v,
-            w: IBig::ONE << (planes.unit - unit) as usize,
-        }
+        let (x, y) = (x - u, y - v);
+        let w = IBig::ONE << (planes.unit - unit) as usize;
+        let small = small([&x, &y, &w]);
+        Self { x, y, w, small }
     }
 
-    /// `[x, y, w]`.
-    pub(super) const fn parts(&self) -> [&IBig; 3] {
-        [&self.x, &self.y, &self.w]
+    /// `[x, y, w]` in the numbers of one rung.
+    pub(super) fn numbers<T: Rung>(&self, planes: &Planes) -> [T; 3] {
+        match self.small {
+            Some(small) if planes.shift == 0 => small.map(T::from_i64),
+            _ => [
+                T::integer(&self.x, planes.shift),
+                T::integer(&self.y, planes.shift),
+                T::integer(&self.w, 0),
+            ],
+        }
     }
 }
 
@@ -63,11 +72,7 @@ pub(crate) enum Spot<'a> {
 /// `[x, y, w]` of a point at `x / w`, `y / w`.
 fn spot<T: Rung>(planes: &Planes, spot: Spot) -> [T; 3] {
     match spot {
-        Spot::Station(Station { x, y, w }) => [
-            T::integer(x, planes.shift),
-            T::integer(y, planes.shift),
-            T::integer(w, 0),
-        ],
+        Spot::Station(station) => station.numbers(planes),
         Spot::Place(place) => {
             let point = point::<T>(planes, place);
             [point.x, point.y, point.w]
