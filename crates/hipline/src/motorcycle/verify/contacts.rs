@@ -1,6 +1,6 @@
 //! What touches what.
 
-use super::{Checker, GraphViolation, Instant, Walls, ends::passing};
+use super::{Checker, GraphViolation, Stage, Walls, ends::passing};
 use crate::{
     motorcycle::{
         model::{End, Origin},
@@ -76,7 +76,7 @@ impl Checker<'_> {
     }
 
     /// A motorcycle has to stop at a moment of its way.
-    fn stops(&mut self, who: usize, at: &Instant, by: End) {
+    fn stops(&mut self, who: usize, at: &Stage, by: End) {
         let goes_on =
             (self.riders[who].stop.as_ref()).is_none_or(|stop| self.compare(at, stop).is_lt());
         if goes_on {
@@ -90,7 +90,7 @@ impl Checker<'_> {
     }
 
     /// Two meet.
-    fn meet(&mut self, who: [usize; 2], at: [Instant; 2]) {
+    fn meet(&mut self, who: [usize; 2], at: [Stage; 2]) {
         let ends = who.map(|k| self.graph.motorcycles()[k].end);
         if let [End::Meeting(one), End::Meeting(other)] = ends
             && one != other

@@ -1,6 +1,6 @@
 //! Where each ends, by definition; that it gets there, and that the numbers are rounded correctly.
 
-use super::{Checker, GraphViolation, Instant, Rider, Walls};
+use super::{Checker, GraphViolation, Stage, Rider, Walls};
 use crate::{
     motorcycle::{
         births,
@@ -172,12 +172,12 @@ pub(super) fn passing(pair: [PlaneId; 2], other: &Rider) -> Option<Place> {
 
 impl Rider {
     /// Whether a moment is not before it starts.
-    pub(super) fn has_started(&self, checker: &Checker, at: &Instant) -> bool {
+    pub(super) fn has_started(&self, checker: &Checker, at: &Stage) -> bool {
         checker.compare(at, &self.start).is_ge()
     }
 
     /// Whether it is on its way at a moment.
-    pub(super) fn is_there(&self, checker: &Checker, at: &Instant) -> bool {
+    pub(super) fn is_there(&self, checker: &Checker, at: &Stage) -> bool {
         self.has_started(checker, at)
             && (self.stop.as_ref()).is_none_or(|stop| checker.compare(at, stop).is_le())
     }

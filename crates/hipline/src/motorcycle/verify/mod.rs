@@ -94,7 +94,7 @@ pub struct GraphViolations {
 
 /// A place on the way of a motorcycle, and bounds of the time.
 #[derive(Clone, Copy)]
-struct Instant {
+struct Stage {
     place: Place,
     bounds: Bounds,
 }
@@ -103,9 +103,9 @@ struct Instant {
 struct Rider {
     pair: [PlaneId; 2],
     lane: Lane,
-    start: Instant,
+    start: Stage,
     /// `None` if it escapes.
-    stop: Option<Instant>,
+    stop: Option<Stage>,
 }
 
 /// What stands still.
@@ -193,14 +193,14 @@ impl<'a> Checker<'a> {
         }
     }
 
-    fn instant(&self, place: Place) -> Instant {
-        Instant {
+    fn instant(&self, place: Place) -> Stage {
+        Stage {
             place,
             bounds: self.planes.time_bounds(&place),
         }
     }
 
-    fn compare(&self, p: &Instant, q: &Instant) -> Ordering {
+    fn compare(&self, p: &Stage, q: &Stage) -> Ordering {
         (p.bounds.compare(q.bounds))
             .unwrap_or_else(|| self.planes.compare_instants(&p.place, &q.place))
     }
