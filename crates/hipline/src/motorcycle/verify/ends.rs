@@ -1,6 +1,6 @@
 //! Where each ends, by definition; that it gets there, and that the numbers are rounded correctly.
 
-use super::{Checker, GraphViolation, Stage, Rider, Walls};
+use super::{Checker, GraphViolation, Rider, Stage, Walls};
 use crate::{
     motorcycle::{
         births,
