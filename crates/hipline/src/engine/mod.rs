@@ -7,7 +7,7 @@ use crate::{
     envelope,
     input::Figure,
     kinetic, monotone, orthogonal,
-    skeleton::{Options, Region, Skeleton, Uncertified},
+    skeleton::{Options, Region, Skeleton},
     topology::EdgeId,
 };
 
@@ -73,6 +73,9 @@ pub enum NotApplicable {
         "edges across the direction of monotonicity meet in a way that this engine cannot resolve"
     )]
     Levels,
+    /// What the two chains of a weighted polygon give together does not obey the laws.
+    #[error("what the two chains give together does not obey the laws of skeletons")]
+    Unproved,
     /// The modified skeleton is asked for.
     #[error("modified skeletons are computed by the kinetic engine only")]
     Modified,
@@ -133,19 +136,19 @@ impl Figure {
     }
 
     /// The skeleton by the engine for monotone polygons. Where edges lie along the levels, which is where it has been
-    /// seen to fail, it has to prove its result, or, with weights, obey the laws.
+    /// seen to fail, it has to prove its result; with weights, which the paper's proof leaves out, it has to obey the laws.
     fn monotone_skeleton(&self, region: Region) -> Result<Skeleton, NotApplicable> {
         let skeleton = monotone::skeleton(self, region)?;
-        let is_right = monotone::is_strict(self)
-            || match skeleton.certify(self) {
-                Ok(()) => true,
-                Err(Uncertified::NotApplicable(_)) => skeleton.verify(self).is_ok(),
-                Err(_) => false,
-            };
-        if is_right {
-            Ok(skeleton)
+        let is_strict = monotone::is_strict(self);
+        let is_right = if self.is_plain() {
+            is_strict || skeleton.certify(self).is_ok()
         } else {
-            Err(NotApplicable::Levels)
+            skeleton.verify(self).is_ok()
+        };
+        match (is_right, is_strict) {
+            (true, _) => Ok(skeleton),
+            (false, true) => Err(NotApplicable::Unproved),
+            (false, false) => Err(NotApplicable::Levels),
         }
     }
 
