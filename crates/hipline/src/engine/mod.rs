@@ -73,8 +73,8 @@ pub enum NotApplicable {
         "edges across the direction of monotonicity meet in a way that this engine cannot resolve"
     )]
     Levels,
-    /// What the two chains of a weighted polygon give together does not obey the laws.
-    #[error("what the two chains give together does not obey the laws of skeletons")]
+    /// What the engine found does not obey the laws of skeletons ([`Skeleton::verify`]): a fault of the engine.
+    #[error("what this engine found does not obey the laws of skeletons")]
     Unproved,
     /// The modified skeleton is asked for.
     #[error("modified skeletons are computed by the kinetic engine only")]
@@ -131,7 +131,14 @@ impl Figure {
                 let monotone = orthogonal::applies(self, region)?;
                 Ok(orthogonal::skeleton(self, monotone))
             }
-            Engine::Envelope => envelope::skeleton(self, region),
+            Engine::Envelope => {
+                let skeleton = envelope::skeleton(self, region)?;
+                if skeleton.verify(self).is_ok() {
+                    Ok(skeleton)
+                } else {
+                    Err(NotApplicable::Unproved)
+                }
+            }
         }
     }
 
