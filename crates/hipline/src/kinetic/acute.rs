@@ -6,7 +6,7 @@
 
 use super::{
     Kinetic,
-    triangulation::{Spokes, Tip, Triangle, next, prev},
+    triangulation::{Spokes, Tip, next, prev},
 };
 use crate::{
     predicates::{Area, Corner, Moment, Part, Terminal},
@@ -101,14 +101,14 @@ impl Kinetic<'_> {
         let (after, other) = fan[cut + 1];
         let far = self.triangulation.get(before).tips[prev(corner)];
         let opened = TriangleId::new(between.index() + 1);
-        self.triangulation.push(Triangle {
-            tips: [x.into(), middle.into(), last.into()],
-            across: [wave_out.into(), opened.into(), wave_inn.into()],
-        });
-        self.triangulation.push(Triangle {
-            tips: [far, x.into(), last.into()],
-            across: [between.into(), before.into(), after.into()],
-        });
+        self.triangulation.push(
+            [x.into(), middle.into(), last.into()],
+            [wave_out.into(), opened.into(), wave_inn.into()],
+        );
+        self.triangulation.push(
+            [far, x.into(), last.into()],
+            [between.into(), before.into(), after.into()],
+        );
         self.triangulation
             .attach(before, next(corner), opened.into());
         self.triangulation.attach(after, prev(other), opened.into());

@@ -61,12 +61,14 @@ impl Kinetic<'_> {
     }
 
     /// The moment of the next change, if no triangle collapses before.
-    pub(super) fn change_before(&self, first: Option<TriangleId>) -> Option<(Moment, Bounds)> {
+    pub(super) fn change_before(
+        &self,
+        first: Option<(TriangleId, Bounds)>,
+    ) -> Option<(Moment, Bounds)> {
         let (moment, bounds) = self.changes.next?;
-        let Some(t) = first else {
+        let Some((t, collapse)) = first else {
             return Some((moment, bounds));
         };
-        let collapse = self.queue.bounds(t).expect("the triangle is queued");
         let order = bounds
             .compare(collapse)
             .unwrap_or_else(|| self.planes.compare(&moment, &self.agenda.moment(t)));

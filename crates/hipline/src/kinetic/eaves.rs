@@ -9,7 +9,7 @@ use std::collections::BTreeMap;
 
 use super::{
     Kinetic,
-    triangulation::{Triangle, next, prev},
+    triangulation::{next, prev},
 };
 use crate::{
     predicates::{Eave, PlaneId},
@@ -115,10 +115,10 @@ impl Kinetic<'_> {
         for &(t, corner) in &fan {
             self.triangulation.triangles[t.index()].tips[corner] = kept.into();
         }
-        let opened = self.triangulation.push(Triangle {
-            tips: [upper, start.into(), end.into()],
-            across: [wave.into(), beside.into(), beside.into()],
-        });
+        let opened = self.triangulation.push(
+            [upper, start.into(), end.into()],
+            [wave.into(), beside.into(), beside.into()],
+        );
         self.triangulation.attach(opened, 0, wave.into());
         let along = if eave.rises { 1 } else { 2 };
         self.triangulation.attach(opened, along, wall.into());

@@ -75,8 +75,6 @@ struct Batch {
     fresh: Vec<TraceId>,
     /// Triangles whose next collapse is to be found anew.
     dirty: Vec<TriangleId>,
-    /// For each triangle, the batch in which it was last scheduled.
-    scheduled: Vec<u32>,
 }
 
 /// The straight skeleton of a part of the plane, or the modified one, by this engine. Total: every
@@ -158,8 +156,8 @@ impl Kinetic<'_> {
                 self.begin_change(moment, bounds);
                 self.resolve_batch();
                 self.change_speeds();
-            } else if let Some(first) = first {
-                self.begin_batch(first);
+            } else if let Some((first, bounds)) = first {
+                self.begin_batch(first, bounds);
                 self.resolve_batch();
             } else {
                 break;
@@ -173,15 +171,13 @@ impl Kinetic<'_> {
     }
 
     /// Takes all triangles that collapse at the next moment from the queue.
-    fn begin_batch(&mut self, first: TriangleId) {
+    fn begin_batch(&mut self, first: TriangleId, bounds: Bounds) {
         self.batch.number += 1;
         self.batch.first_node = self.front.vertices + self.front.events.len() as u32;
         self.now = self.agenda.moment(first);
-        let bounds = self.queue.bounds(first).expect("the triangle is queued");
         self.bounds = bounds;
         self.take(first);
-        while let Some(t) = self.first() {
-            let other = self.queue.bounds(t).expect("the triangle is queued");
+        while let Some((t, other)) = self.first() {
             let moment = self.agenda.moment(t);
             let order = bounds
                 .compare(other)
@@ -202,8 +198,7 @@ impl Kinetic<'_> {
         self.batch.first_node = self.front.vertices + self.front.events.len() as u32;
         self.now = moment;
         self.bounds = bounds;
-        while let Some(t) = self.first() {
-            let other = self.queue.bounds(t).expect("the triangle is queued");
+        while let Some((t, other)) = self.first() {
             let order = bounds
                 .compare(other)
                 .unwrap_or_else(|| self.planes.compare(&moment, &self.agenda.moment(t)));
@@ -214,8 +209,8 @@ impl Kinetic<'_> {
         }
     }
 
-    /// A triangle that collapses next.
-    fn first(&mut self) -> Option<TriangleId> {
+    /// A triangle that collapses next, and the bounds of its moment.
+    fn first(&mut self) -> Option<(TriangleId, Bounds)> {
         let Self {
             queue,
             planes,
@@ -264,9 +259,7 @@ impl Kinetic<'_> {
         self.batch.fresh.clear();
         let mut dirty = std::mem::take(&mut self.batch.dirty);
         for t in dirty.drain(..) {
-            if std::mem::replace(&mut self.batch.scheduled[t.index()], self.batch.number)
-                != self.batch.number
-            {
+            if self.triangulation.visit(t, self.batch.number) {
                 self.reschedule(t);
             }
         }

@@ -56,10 +56,29 @@ enum Fine {
     Last(BallDd),
 }
 
+/// A moment in few bytes: three planes, or the place of its triangle's corners among the roots.
+#[derive(Clone, Copy, Debug)]
+struct Short([PlaneId; 3]);
+
+impl Short {
+    const START: Self = Self([NO_PLANE; 3]);
+
+    /// The place among the roots, if it is one.
+    fn root(self) -> Option<usize> {
+        (self.0[0] == NO_PLANE && self.0[1] != NO_PLANE).then_some(self.0[1].0 as usize)
+    }
+}
+
+const NO_PLANE: PlaneId = PlaneId(u32::MAX);
+
 /// The moments of the queued triangles, with what has been found out about their order.
 #[derive(Debug, Default)]
 pub(super) struct Agenda {
-    moments: Vec<Moment>,
+    moments: Vec<Short>,
+    /// The corners of triangles that collapse at roots, which are few.
+    roots: Vec<[Corner; 3]>,
+    /// Which of those are out of use.
+    unused: Vec<u32>,
     /// What is known besides, of figures in which bounds do not always decide.
     closer: OnceCell<Vec<Cell<Closer>>>,
     /// Moments with one root of this forest are known to be equal.
@@ -71,7 +90,9 @@ pub(super) struct Agenda {
 impl Agenda {
     pub(super) fn new(triangles: usize) -> Self {
         Self {
-            moments: vec![Moment::Start; triangles],
+            moments: vec![Short::START; triangles],
+            roots: Vec::new(),
+            unused: Vec::new(),
             closer: OnceCell::new(),
             parents: RefCell::default(),
             wide: RefCell::default(),
@@ -79,12 +100,31 @@ impl Agenda {
     }
 
     pub(super) fn moment(&self, t: TriangleId) -> Moment {
-        self.moments[t.index()]
+        let short = self.moments[t.index()];
+        match short.root() {
+            Some(i) => Moment::Root(self.roots[i]),
+            None if short.0[0] == NO_PLANE => Moment::Start,
+            None => Moment::Planes(short.0),
+        }
     }
 
     pub(super) fn set(&mut self, t: TriangleId, moment: Moment) {
         let i = t.index();
-        self.moments[i] = moment;
+        if let Some(root) = self.moments[i].root() {
+            self.unused.push(root as u32);
+        }
+        self.moments[i] = match moment {
+            Moment::Start => Short::START,
+            Moment::Planes(triple) => Short(triple),
+            Moment::Root(corners) => {
+                let root = self.unused.pop().unwrap_or(self.roots.len() as u32);
+                match self.roots.get_mut(root as usize) {
+                    Some(old) => *old = corners,
+                    None => self.roots.push(corners),
+                }
+                Short([NO_PLANE, PlaneId(root), NO_PLANE])
+            }
+        };
         if let Some(closer) = self.closer.get() {
             closer[i].set(Closer::default());
         }
@@ -113,7 +153,7 @@ impl Agenda {
         match self.closer(t).fine {
             Fine::First(value) | Fine::Last(value) => value,
             Fine::Unknown => {
-                let value = planes.fine(&self.moments[t.index()]);
+                let value = planes.fine(&self.moment(t));
                 self.change(t, |closer| closer.fine = Fine::First(value));
                 value
             }
@@ -125,8 +165,8 @@ impl Agenda {
         if let Fine::Last(value) = self.closer(t).fine {
             return value;
         }
-        let value = match &self.moments[t.index()] {
-            Moment::Planes(triple) => planes.finer_meeting(*triple),
+        let value = match self.moment(t) {
+            Moment::Planes(triple) => planes.finer_meeting(triple),
             _ => None,
         };
         let value = value.unwrap_or_else(|| self.fine(planes, t));
@@ -174,7 +214,7 @@ impl Agenda {
         let mut wide = self.wide.borrow_mut();
         for t in [a, b] {
             wide.entry(t)
-                .or_insert_with(|| planes.wide(&self.moments[t.index()]));
+                .or_insert_with(|| planes.wide(&self.moment(t)));
         }
         let difference = wide[&a].as_ref()?.minus(wide[&b].as_ref()?);
         difference.sign().map(Sign::ordering)
@@ -194,8 +234,8 @@ impl Agenda {
         if let Some(sign) = difference.sign() {
             return sign.ordering();
         }
-        let [p, q] = [a, b].map(|t| &self.moments[t.index()]);
-        let fixed = || planes.compare_fixed(p, q);
+        let [p, q] = [a, b].map(|t| self.moment(t));
+        let fixed = || planes.compare_fixed(&p, &q);
         let wide = || self.compare_wide(planes, a, b);
         // Roots are found once in 400 digits; their polynomials have many terms.
         let small = matches!((p, q), (Moment::Planes(_), Moment::Planes(_))) || planes.is_on_grid();
@@ -204,7 +244,7 @@ impl Agenda {
         } else {
             wide().or_else(fixed)
         };
-        let order = order.unwrap_or_else(|| planes.compare(p, q));
+        let order = order.unwrap_or_else(|| planes.compare(&p, &q));
         if order.is_eq() {
             self.unite(a, b);
         }
@@ -241,7 +281,7 @@ impl Kinetic<'_> {
     pub(super) fn due(&self, t: TriangleId) -> Option<Moment> {
         match self.agenda.moment(t) {
             Moment::Start => None,
-            moment => self.queue.bounds(t).is_none().then_some(moment),
+            moment => (!self.queue.contains(t)).then_some(moment),
         }
     }
 

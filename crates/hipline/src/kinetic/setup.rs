@@ -9,7 +9,7 @@ use super::{
     Batch, Kinetic,
     change::Changes,
     schedule::Agenda,
-    triangulation::{Across, Spokes, Tip, Triangle, Triangulation, next, prev},
+    triangulation::{Across, Spokes, Tip, Triangulation, next, prev},
 };
 use crate::{
     input::{Figure, Mesh, MeshEdge},
@@ -114,11 +114,11 @@ impl<'a> Kinetic<'a> {
         let start = |edge: u32| self.figure.edges()[edge as usize].from.index() as u32;
         let mut sides = vec![NO_SIDE; waves];
         for t in order.into_iter().map(|t| t as usize) {
-            let id = self.triangulation.push(Triangle {
+            let id = self.triangulation.push(
                 // Vertices for now, to be replaced by wavefront vertices.
-                tips: mesh.corners[t].map(|v| Tip::from(TraceId::new(v as usize))),
-                across: mesh.across[t].map(|edge| neighbour(&edge)),
-            });
+                mesh.corners[t].map(|v| Tip::from(TraceId::new(v as usize))),
+                mesh.across[t].map(|edge| neighbour(&edge)),
+            );
             for k in 0..3 {
                 if let Some(edge) = mesh.across[t][k].edge {
                     let left = mesh.corners[t][next(k)] == start(edge);
@@ -134,14 +134,14 @@ impl<'a> Kinetic<'a> {
                 .map(|edge| frame(place(edge.from), place(edge.to)))
                 .collect();
             for (i, edge) in mesh.hull.iter().enumerate() {
-                let id = self.triangulation.push(Triangle {
-                    tips: [
+                let id = self.triangulation.push(
+                    [
                         Tip::from(TraceId::new(edge.from as usize)),
                         Tip::from(TraceId::new(edge.to as usize)),
                         Tip::ideal(direction[i]),
                     ],
-                    across: [Across::NOTHING, Across::NOTHING, neighbour(&edge.across)],
-                });
+                    [Across::NOTHING, Across::NOTHING, neighbour(&edge.across)],
+                );
                 if let Some(e) = edge.across.edge {
                     let left = edge.from == start(e);
                     sides[2 * e as usize + usize::from(!left)] = (id, 2);
@@ -169,10 +169,10 @@ impl<'a> Kinetic<'a> {
         let turns = (direction[i] + 4 - direction[j]) % 4;
         for d in 0..turns {
             let from = direction[j] + d;
-            let id = self.triangulation.push(Triangle {
-                tips: [tip, Tip::ideal(from), Tip::ideal(from + 1)],
-                across: [Across::NOTHING, Across::NOTHING, last.into()],
-            });
+            let id = self.triangulation.push(
+                [tip, Tip::ideal(from), Tip::ideal(from + 1)],
+                [Across::NOTHING, Across::NOTHING, last.into()],
+            );
             self.triangulation.attach(last, side, id.into());
             (last, side) = (id, 1);
         }
@@ -285,7 +285,6 @@ impl<'a> Kinetic<'a> {
         let n = self.triangulation.len() + self.changes.closed.len() + eaves;
         self.queue.reset(n);
         self.agenda = Agenda::new(n);
-        self.batch.scheduled = vec![0; n];
         let mut queued: Vec<(TriangleId, Bounds)> = Vec::with_capacity(n);
         for t in (0..self.triangulation.len()).map(TriangleId::new) {
             if self.triangulation.is_alive(t)
@@ -383,10 +382,10 @@ impl<'a> Kinetic<'a> {
         let (before, corner) = fan[cut];
         let (after, other) = fan[cut + 1];
         let far = self.triangulation.get(before).tips[prev(corner)];
-        let opened = self.triangulation.push(Triangle {
-            tips: [far, x.into(), second.into()],
-            across: [cap.into(), before.into(), after.into()],
-        });
+        let opened = self.triangulation.push(
+            [far, x.into(), second.into()],
+            [cap.into(), before.into(), after.into()],
+        );
         self.triangulation.attach(opened, 0, cap.into());
         self.triangulation
             .attach(before, next(corner), opened.into());

@@ -114,13 +114,17 @@ impl std::fmt::Debug for Across {
 pub(super) struct Triangle {
     pub tips: [Tip; 3],
     pub across: [Across; 3],
+    /// The batch in which it was last visited, or `DEAD`.
+    visited: u32,
 }
+
+/// Marks triangles that have collapsed.
+const DEAD: u32 = u32::MAX;
 
 /// All triangles, and for each wavefront edge the triangle that it bounds.
 #[derive(Debug, Default)]
 pub(super) struct Triangulation {
     pub triangles: Vec<Triangle>,
-    alive: Vec<bool>,
     beside: Vec<TriangleId>,
 }
 
@@ -128,14 +132,16 @@ impl Triangulation {
     pub(super) fn with_capacity(triangles: usize, waves: usize) -> Self {
         Self {
             triangles: Vec::with_capacity(triangles),
-            alive: Vec::with_capacity(triangles),
             beside: Vec::with_capacity(waves),
         }
     }
 
-    pub(super) fn push(&mut self, triangle: Triangle) -> TriangleId {
-        self.triangles.push(triangle);
-        self.alive.push(true);
+    pub(super) fn push(&mut self, tips: [Tip; 3], across: [Across; 3]) -> TriangleId {
+        self.triangles.push(Triangle {
+            tips,
+            across,
+            visited: 0,
+        });
         TriangleId::new(self.triangles.len() - 1)
     }
 
@@ -154,11 +160,20 @@ impl Triangulation {
     }
 
     pub(super) fn is_alive(&self, t: TriangleId) -> bool {
-        self.alive[t.index()]
+        self.get(t).visited != DEAD
+    }
+
+    /// Whether a triangle was not yet visited in this batch; now it is. Collapsed triangles always are new.
+    pub(super) fn visit(&mut self, t: TriangleId, batch: u32) -> bool {
+        let visited = &mut self.triangles[t.index()].visited;
+        if *visited == DEAD {
+            return true;
+        }
+        std::mem::replace(visited, batch) != batch
     }
 
     pub(super) fn kill(&mut self, t: TriangleId) {
-        self.alive[t.index()] = false;
+        self.triangles[t.index()].visited = DEAD;
     }
 
     /// Whether a wavefront edge is still there.
@@ -256,10 +271,12 @@ impl Triangulation {
         self.triangles[t.index()] = Triangle {
             tips: [p, q, s],
             across: [qs, other.into(), pq],
+            ..a
         };
         self.triangles[other.index()] = Triangle {
             tips: [p, s, r],
             across: [sr, rp, t.into()],
+            ..b
         };
         self.redirect(qs, other, t, 0);
         self.redirect(rp, t, other, 1);

@@ -369,14 +369,12 @@ impl<'a> Chains<'a> {
     }
 
     /// Takes all that collapses at the next moment from the queue.
-    fn take_batch(&mut self, first: WaveId, batch: &mut Vec<u32>) {
-        let bounds = self.queue.bounds(first).expect("it is queued");
+    fn take_batch(&mut self, (first, bounds): (WaveId, Bounds), batch: &mut Vec<u32>) {
         self.now = Moment::Planes(self.collapse[first.index()]);
         self.now_bounds = bounds;
         self.first_node = self.front.vertices + self.front.events.len() as u32;
         batch.clear();
-        while let Some(w) = self.first() {
-            let other = self.queue.bounds(w).expect("it is queued");
+        while let Some((w, other)) = self.first() {
             let at = Moment::Planes(self.collapse[w.index()]);
             let order = bounds
                 .compare(other)
@@ -391,8 +389,8 @@ impl<'a> Chains<'a> {
         batch.sort_unstable();
     }
 
-    /// What collapses next.
-    fn first(&mut self) -> Option<WaveId> {
+    /// What collapses next, and the bounds of its moment.
+    fn first(&mut self) -> Option<(WaveId, Bounds)> {
         let Self {
             queue,
             planes,

@@ -10,7 +10,7 @@ use super::{Assembly, Step};
 use crate::{
     predicates::{Bound, Place, PlaneId},
     topology::TraceId,
-    wavefront::{End, Walk},
+    wavefront::{End, Trace, Walk},
 };
 use hipline_num::Sign;
 
@@ -154,12 +154,8 @@ impl Assembly<'_> {
             if i >= count
                 && let Walk::Up(x) | Walk::Down(x) = first
             {
-                let trace = *self.front.trace(x);
-                let wave = if first == Walk::Up(x) {
-                    trace.inn
-                } else {
-                    trace.out
-                };
+                let Trace { inn, out, .. } = *self.front.trace(x);
+                let wave = if first == Walk::Up(x) { inn } else { out };
                 let face = self.front.wave(wave).face;
                 orphans
                     .entry(self.front.joint_face(face))
@@ -200,11 +196,11 @@ impl Assembly<'_> {
         found: &mut Vec<(TraceId, Hit, Walk)>,
     ) {
         let plane = self.front.wave(self.front.trace(ghosts[0]).inn).plane;
-        let place = |node: u32| self.places[node as usize].as_ref().expect("a finite node");
+        let place = |node: u32| self.finite_place(node);
         // From the far end of the edge's direction to the near one.
         ghosts.sort_by(|&x, &y| {
             let [x, y] = [x, y].map(|g| place(self.front.trace(g).born));
-            self.planes.compare_along(y, x, plane)
+            self.planes.compare_along(&y, &x, plane)
         });
         let cycles = self.joint_boundary(starts);
         let (ceilings, mut jumps) = self.ceilings(&cycles, plane);
@@ -235,11 +231,11 @@ impl Assembly<'_> {
                     continue;
                 };
                 let (at, may_start) = match &hit {
-                    Hit::Node(node) => (*place(*node), false),
+                    Hit::Node(node) => (place(*node), false),
                     Hit::Inside(place) => (*place, true),
-                    Hit::Start | Hit::Infinity => (*place(born), true),
+                    Hit::Start | Hit::Infinity => (place(born), true),
                 };
-                let after_start = self.planes.compare_times(&at, place(born));
+                let after_start = self.planes.compare_times(&at, &place(born));
                 // A corner where the boundary turns back may be at one place with one on the other
                 // side of a wall: there, the ghost arc would only touch the face.
                 let touches = match &hit {
@@ -262,13 +258,13 @@ impl Assembly<'_> {
             }
             for &(node, walk) in &spikes {
                 let at = place(node);
-                let stops = self.planes.compare_along(at, place(born), plane).is_eq()
-                    && self.planes.compare_times(at, place(born)).is_gt()
+                let stops = self.planes.compare_along(&at, &place(born), plane).is_eq()
+                    && self.planes.compare_times(&at, &place(born)).is_gt()
                     && best.as_ref().is_none_or(|(other, ..)| {
-                        self.planes.compare_times(at, other) == Ordering::Less
+                        self.planes.compare_times(&at, other) == Ordering::Less
                     });
                 if stops {
-                    best = Some((*at, Hit::Node(node), walk));
+                    best = Some((at, Hit::Node(node), walk));
                 }
             }
             if let Some((_, hit, walk)) = best {
@@ -347,9 +343,12 @@ impl Assembly<'_> {
 
     /// Whether a stretch goes strictly against the edge's direction.
     fn is_ceiling(&self, ceiling: &Ceiling, x: TraceId, up: bool, plane: PlaneId) -> bool {
-        let place = |node: u32| self.places[node as usize].as_ref().expect("a finite node");
+        let place = |node: u32| self.finite_place(node);
         match ceiling.ends {
-            [Some(a), Some(b)] => self.planes.compare_along(place(a), place(b), plane).is_gt(),
+            [Some(a), Some(b)] => self
+                .planes
+                .compare_along(&place(a), &place(b), plane)
+                .is_gt(),
             _ => {
                 let drift = self.planes.drift(self.front.trace(x).pair, plane);
                 drift == if up { Sign::Negative } else { Sign::Positive }
@@ -360,8 +359,7 @@ impl Assembly<'_> {
     /// Bounds of a node's coordinate along an edge: low, high.
     #[expect(clippy::cast_precision_loss, reason = "bounds, not decisions")]
     fn approximate(&self, node: u32, plane: PlaneId) -> (f64, f64) {
-        let place = self.places[node as usize].as_ref().expect("a finite node");
-        let [x, y, _] = self.planes.round(place);
+        let [x, y, _] = self.planes.round(&self.finite_place(node));
         let edges = self.figure.edges();
         let line = (plane.0 / 2) as usize;
         // A terminal's own line is perpendicular to its edge: no direction to be had here, so
@@ -384,9 +382,9 @@ impl Assembly<'_> {
 
     /// Where the perpendicular through a node meets a ceiling, if it does.
     fn meet_ceiling(&self, born: u32, ceiling: &Ceiling, plane: PlaneId) -> Option<Hit> {
-        let place = |node: u32| self.places[node as usize].as_ref().expect("a finite node");
+        let place = |node: u32| self.finite_place(node);
         let against = |node: Option<u32>| {
-            node.map(|node| self.planes.compare_along(place(node), place(born), plane))
+            node.map(|node| self.planes.compare_along(&place(node), &place(born), plane))
         };
         match against(ceiling.ends[1]) {
             Some(Ordering::Greater) => return None,
@@ -408,7 +406,7 @@ impl Assembly<'_> {
                 unreachable!("level arcs are finite")
             };
             match place(node) {
-                Place::Event { moment, .. } => Bound::Level(*moment),
+                Place::Event { moment, .. } => Bound::Level(moment),
                 _ => return Some(Hit::Start),
             }
         } else {
@@ -429,14 +427,14 @@ impl Assembly<'_> {
         born: u32,
         plane: PlaneId,
     ) -> &'j mut Walk {
-        let start = self.places[born as usize].as_ref().expect("a finite node");
+        let start = self.finite_place(born);
         let far = |walk: Walk, sign: Ordering| {
             let (Walk::Up(x) | Walk::Down(x)) = walk else {
                 return true; // a ray along the edge
             };
             let trace = self.front.trace(x);
             // Ghost arcs are handled in order, so one that is there lies beyond this one.
-            trace.end == End::Ghost || self.planes.compare_far(trace.pair, start, plane) == sign
+            trace.end == End::Ghost || self.planes.compare_far(trace.pair, &start, plane) == sign
         };
         let jump = jumps
             .iter_mut()
@@ -488,8 +486,7 @@ impl Assembly<'_> {
                     let node = if planes.compare_times(&place, &start).is_eq() {
                         born
                     } else {
-                        self.places.push(Some(place));
-                        self.places.len() as u32 - 1
+                        self.push_place(place)
                     };
                     cuts.push((x, node));
                     node
@@ -523,10 +520,10 @@ impl Assembly<'_> {
         };
         let plane = self.front.wave(trace.inn).plane;
         let order = self.planes.compare_along(p, q, plane);
-        let place = |node: u32| self.places[node as usize].as_ref().expect("a finite node");
+        let place = |node: u32| self.finite_place(node);
         match self
             .planes
-            .compare_along(place(trace.born), place(end), plane)
+            .compare_along(&place(trace.born), &place(end), plane)
         {
             Ordering::Greater => order.reverse(),
             _ => order,
@@ -556,8 +553,8 @@ impl Assembly<'_> {
             let arriving = arriving.unwrap_or_else(|| {
                 let begin: Step = if up { 2 * first } else { 2 * after - 1 };
                 let mut step = begin;
-                while self.next[step] != begin {
-                    step = self.next[step];
+                while self.next[step] as usize != begin {
+                    step = self.next[step] as usize;
                 }
                 step
             });
@@ -593,7 +590,7 @@ impl Assembly<'_> {
         let piece = self.of_trace[ghost.index()][0] as usize;
         let (up, down) = (2 * piece, 2 * piece + 1);
         let leaving = self.next[arriving];
-        self.next[arriving] = down;
+        self.next[arriving] = down as u32;
         self.next[up] = leaving;
     }
 }

@@ -14,7 +14,7 @@ use crate::{
     input::Figure,
     predicates::{Bound, Place, PlaneId, Planes, Start, Terminal},
     topology::{EdgeId, FaceId, NodeId, TraceId, VertexId},
-    wavefront::{End, Trace, Walk, Wavefront},
+    wavefront::{End, EventNode, Trace, Walk, Wavefront},
 };
 use hipline_num::Sign;
 use names::Name;
@@ -35,18 +35,24 @@ const NO_FACE: u32 = u32::MAX;
 /// (`2 * pieces + face`).
 type Step = usize;
 
+/// What is not on any boundary has no next step.
+const NO_STEP: u32 = u32::MAX;
+
 /// The half-way house between wavefront and skeleton.
 struct Assembly<'a> {
     figure: &'a Figure,
     planes: &'a Planes,
     front: Wavefront,
-    /// Where nodes are: input vertices, then events, then the ends of ghost arcs, then
+    /// The number of nodes: input vertices, then events, then the ends of ghost arcs, then
     /// nodes at infinity (which have no place).
-    places: Vec<Option<Place>>,
+    nodes: usize,
+    /// Where the ends of ghost arcs are that are no other nodes.
+    ghost_ends: Vec<Place>,
     pieces: Vec<Piece>,
     /// For each trace, its first piece and the one after its last.
     of_trace: Vec<[u32; 2]>,
-    next: Vec<Step>,
+    /// For each step the one after it.
+    next: Vec<u32>,
     base_from: usize,
 }
 
@@ -59,17 +65,6 @@ pub(crate) fn assemble(
     region: Region,
     stats: Stats,
 ) -> Skeleton {
-    let mut places: Vec<Option<Place>> = figure
-        .vertices()
-        .iter()
-        .map(|&v| Some(Place::Vertex(v)))
-        .collect();
-    places.extend(front.events.iter().map(|e| {
-        Some(Place::Event {
-            pair: e.pair,
-            moment: e.moment,
-        })
-    }));
     for i in 0..front.traces.len() {
         let born = front.node(front.traces[i].born);
         front.traces[i].born = born;
@@ -80,8 +75,9 @@ pub(crate) fn assemble(
     let mut assembly = Assembly {
         figure,
         planes,
+        nodes: figure.vertices().len() + front.events.len(),
         front,
-        places,
+        ghost_ends: Vec::new(),
         pieces: Vec::new(),
         of_trace: Vec::new(),
         next: Vec::new(),
@@ -92,6 +88,36 @@ pub(crate) fn assemble(
 }
 
 impl Assembly<'_> {
+    /// Where a node is; nothing of one at infinity.
+    fn place(&self, node: u32) -> Option<Place> {
+        let vertices = self.figure.vertices();
+        let i = node as usize;
+        if let Some(&v) = vertices.get(i) {
+            return Some(Place::Vertex(v));
+        }
+        let i = i - vertices.len();
+        if let Some(&EventNode { pair, moment }) = self.front.events.get(i) {
+            return Some(Place::Event { pair, moment });
+        }
+        self.ghost_ends.get(i - self.front.events.len()).copied()
+    }
+
+    fn finite_place(&self, node: u32) -> Place {
+        self.place(node).expect("a finite node")
+    }
+
+    /// Adds the end of a ghost arc.
+    fn push_place(&mut self, place: Place) -> u32 {
+        self.ghost_ends.push(place);
+        self.nodes += 1;
+        debug_assert_eq!(
+            self.nodes,
+            self.figure.vertices().len() + self.front.events.len() + self.ghost_ends.len(),
+            "nodes at infinity come last"
+        );
+        self.nodes as u32 - 1
+    }
+
     /// Whether a trace has length zero.
     fn is_void(trace: &Trace) -> bool {
         trace.end == End::At(trace.born)
@@ -100,7 +126,8 @@ impl Assembly<'_> {
     /// Makes pieces of the traces and links them into the boundaries of the faces. Returns
     /// whether it has to be done again, without ghost arcs that separated nothing.
     fn draw(&mut self) -> bool {
-        let places = self.places.len();
+        let nodes = self.nodes;
+        let ghost_ends = self.ghost_ends.len();
         let landings = self.find_landings();
         self.cut_traces(&landings);
         self.link();
@@ -117,7 +144,8 @@ impl Assembly<'_> {
             let trace = self.front.trace_mut(x);
             trace.end = End::At(trace.born);
         }
-        self.places.truncate(places);
+        self.nodes = nodes;
+        self.ghost_ends.truncate(ghost_ends);
         self.pieces.clear();
         self.of_trace.clear();
         true
@@ -129,7 +157,7 @@ impl Assembly<'_> {
         let mut cycle = vec![0_u32; self.next.len()];
         let mut count = 0;
         for first in 0..self.next.len() {
-            if cycle[first] == 0 && self.next[first] != usize::MAX {
+            if cycle[first] == 0 && self.next[first] != NO_STEP {
                 count += 1;
                 for step in self.around(first) {
                     cycle[step] = count;
@@ -148,7 +176,7 @@ impl Assembly<'_> {
     }
 
     fn start_of(&self, node: u32) -> Start {
-        match self.places[node as usize] {
+        match self.place(node) {
             Some(Place::Vertex(v)) => Start::Vertex(v),
             Some(Place::Event { pair, moment }) => Start::Event { pair, moment },
             _ => unreachable!("ghost arcs start at vertices and events"),
@@ -192,7 +220,7 @@ impl Assembly<'_> {
                 };
                 let to = to.unwrap_or_else(|| {
                     infinite.push(id);
-                    (self.places.len() + infinite.len() - 1) as u32
+                    (self.nodes + infinite.len() - 1) as u32
                 });
                 self.pieces.push(Piece {
                     trace: id,
@@ -204,7 +232,7 @@ impl Assembly<'_> {
             }
             self.of_trace.push([first, self.pieces.len() as u32]);
         }
-        self.places.resize(self.places.len() + infinite.len(), None);
+        self.nodes += infinite.len();
     }
 
     /// The first step of a walk, skipping traces of length zero.
@@ -233,23 +261,23 @@ impl Assembly<'_> {
     fn link(&mut self) {
         self.base_from = 2 * self.pieces.len();
         let faces = self.front.after_base.len();
-        self.next = vec![usize::MAX; self.base_from + faces];
+        self.next = vec![NO_STEP; self.base_from + faces];
         for i in 0..self.front.traces.len() {
             let [first, end] = self.of_trace[i].map(|p| p as usize);
             if first == end {
                 continue;
             }
             for p in first..end - 1 {
-                self.next[2 * p] = 2 * p + 2;
-                self.next[2 * p + 3] = 2 * p + 1;
+                self.next[2 * p] = 2 * p as u32 + 2;
+                self.next[2 * p + 3] = 2 * p as u32 + 1;
             }
             let trace = self.front.traces[i];
-            self.next[2 * end - 2] = self.step(trace.after_up);
-            self.next[2 * first + 1] = self.step(trace.after_down);
+            self.next[2 * end - 2] = self.step(trace.after_up) as u32;
+            self.next[2 * first + 1] = self.step(trace.after_down) as u32;
         }
         for face in 0..faces {
             if self.front.after_base[face] != Walk::Open {
-                self.next[self.base_from + face] = self.step(self.front.after_base[face]);
+                self.next[self.base_from + face] = self.step(self.front.after_base[face]) as u32;
             }
         }
     }
@@ -270,7 +298,7 @@ impl Assembly<'_> {
                 }
                 None => {
                     // A terminal: its base is the node before which the next step starts.
-                    let [node, _] = self.ends(self.next[step]);
+                    let [node, _] = self.ends(self.next[step] as usize);
                     [node, node]
                 }
             };
@@ -288,7 +316,7 @@ impl Assembly<'_> {
         let mut at = Some(first);
         std::iter::from_fn(move || {
             let step = at?;
-            let after = self.next[step];
+            let after = self.next[step] as usize;
             at = (after != first).then_some(after);
             Some(step)
         })
@@ -407,7 +435,7 @@ impl Assembly<'_> {
             .map(|step| self.ends(step)[0])
             .find(|&node| {
                 matches!(
-                    self.places[node as usize],
+                    self.place(node),
                     Some(Place::Event { .. } | Place::Vertex(_))
                 )
             })
@@ -422,14 +450,14 @@ impl Assembly<'_> {
     /// Whether a node lies inside the outer boundary of a face: seen along the perpendicular
     /// to the edge, one more stretch of it goes along the edge's direction below than against.
     fn contains(&self, face: u32, node: u32, plane: PlaneId) -> bool {
-        let here = self.places[node as usize].expect("a finite node");
-        let side = |end: u32, step: Step| match &self.places[end as usize] {
-            Some(place) => self.planes.compare_along(place, &here, plane),
+        let here = self.finite_place(node);
+        let side = |end: u32, step: Step| match self.place(end) {
+            Some(place) => self.planes.compare_along(&place, &here, plane),
             None => {
                 let piece = &self.pieces[step / 2];
-                match &self.places[piece.from as usize] {
+                match self.place(piece.from) {
                     Some(start) if piece.kind == ArcKind::Ghost => {
-                        self.planes.compare_along(start, &here, plane)
+                        self.planes.compare_along(&start, &here, plane)
                     }
                     _ => self
                         .planes
@@ -447,7 +475,7 @@ impl Assembly<'_> {
                 let trace = self.front.trace(self.pieces[step / 2].trace);
                 let [a, b] = [trace.inn, trace.out].map(|w| self.front.wave(w).plane);
                 let bound = if self.planes.turn(a, b).is_zero() {
-                    match self.places[trace.born as usize] {
+                    match self.place(trace.born) {
                         Some(Place::Event { moment, .. }) => Some(Bound::Level(moment)),
                         _ => None,
                     }
@@ -483,7 +511,7 @@ impl Assembly<'_> {
             if step < self.base_from {
                 self.pieces[step / 2].faces[step % 2] = face;
             }
-            step = self.next[step];
+            step = self.next[step] as usize;
             if step == first {
                 break;
             }
@@ -497,8 +525,8 @@ impl Assembly<'_> {
     fn number_nodes(&self) -> (Vec<Node>, Vec<u32>) {
         const UNUSED: u32 = u32::MAX;
         let vertices = self.figure.vertices().len();
-        let mut number = vec![UNUSED; self.places.len()];
-        let mut nodes: Vec<Node> = Vec::with_capacity(self.places.len());
+        let mut number = vec![UNUSED; self.nodes];
+        let mut nodes: Vec<Node> = Vec::with_capacity(self.nodes);
         for (v, &[x, y]) in self.figure.vertices().iter().enumerate() {
             number[v] = v as u32;
             nodes.push(Node {
@@ -514,9 +542,9 @@ impl Assembly<'_> {
                     continue;
                 }
                 number[node as usize] = nodes.len() as u32;
-                nodes.push(match &self.places[node as usize] {
+                nodes.push(match self.place(node) {
                     Some(place) => {
-                        let [x, y, time] = self.planes.round(place);
+                        let [x, y, time] = self.planes.round(&place);
                         Node {
                             x,
                             y,

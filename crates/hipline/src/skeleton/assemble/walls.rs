@@ -24,13 +24,13 @@ impl Assembly<'_> {
         if !self.planes.has_upright() {
             return Vec::new();
         }
-        let place = |node: u32| self.places[node as usize].as_ref().expect("a finite node");
+        let place = |node: u32| self.finite_place(node);
         let goes_straight = |x: TraceId| {
             let trace = self.front.trace(x);
             match trace.end {
                 End::At(end) => self
                     .planes
-                    .compare_along(place(trace.born), place(end), plane)
+                    .compare_along(&place(trace.born), &place(end), plane)
                     .is_eq(),
                 End::Moving => self.planes.drift(trace.pair, plane).is_zero(),
                 End::Ghost => false,
