@@ -8,8 +8,10 @@
 
 use std::thread;
 
+use hipline::{Engine, Options};
 use hipline_testkit::Case;
-use hipline_testkit::generate::{small, small_weighted};
+use hipline_testkit::case::Part;
+use hipline_testkit::generate::{Family, small, small_weighted};
 use hipline_testkit::hunt::hunt;
 
 /// Runs the seeds of a kind of cases.
@@ -49,4 +51,33 @@ fn agrees_with_the_reference() {
 #[test]
 fn agrees_with_the_reference_on_changing_speeds() {
     agrees(small_weighted, 10_000, 300);
+}
+
+/// A vertex may collect a spoke for each vertex of a run along one line, and then have an event for each
+/// vertex of an arc. It is relieved of them, so the work per vertex stays the same.
+#[test]
+fn no_vertex_keeps_many_spokes() {
+    let work = |n: usize, speeds: &dyn Fn(usize) -> f64| {
+        let mut case = Family::Apse.generate(n, 1);
+        let Part::Polygon { rings, speeds: all } = &mut case.parts[0] else {
+            unreachable!("an apse is a polygon");
+        };
+        let of_ring = |ring: &Vec<[f64; 2]>| (0..ring.len()).map(speeds).collect();
+        *all = rings.iter().map(of_ring).collect();
+        let figure = case.figure().expect("a figure");
+        let skeleton = figure.skeleton_by(Engine::Kinetic, Options::default());
+        let stats = skeleton.as_ref().expect("it takes all").stats();
+        (stats.steps + stats.flips) as f64 / n as f64
+    };
+    let all: [(&str, &dyn Fn(usize) -> f64); 4] = [
+        ("equal", &|_| 1.0),
+        ("rising", &|i| 1.0 + i as f64 / 1024.0),
+        ("falling", &|i| 9.0 - i as f64 / 1024.0),
+        ("alternating", &|i| 1.0 + (i % 2) as f64),
+    ];
+    for (name, speeds) in all {
+        let [small, large] = [500, 4000].map(|n| work(n, speeds));
+        println!("{name}: {small:.1}, {large:.1} steps a vertex");
+        assert!(large < 2.0 * small, "{name}: {small} {large}");
+    }
 }

@@ -39,12 +39,14 @@ pub enum Family {
     Segments,
     /// A closed grid of lines.
     Windows,
+    /// A half circle with a window, whose straight base has many vertices.
+    Apse,
 }
 
 impl Family {
     /// All families.
     #[must_use]
-    pub const fn all() -> [Self; 15] {
+    pub const fn all() -> [Self; 16] {
         [
             Self::Random,
             Self::Orthogonal,
@@ -61,6 +63,7 @@ impl Family {
             Self::SquareHoles,
             Self::Segments,
             Self::Windows,
+            Self::Apse,
         ]
     }
 
@@ -83,6 +86,7 @@ impl Family {
             Self::SquareHoles => "square-holes",
             Self::Segments => "segments",
             Self::Windows => "windows",
+            Self::Apse => "apse",
         }
     }
 
@@ -117,6 +121,7 @@ impl Family {
             Self::SquareHoles => vec![with_holes(n, square)],
             Self::Segments => segments(random, n),
             Self::Windows => vec![windows(n)],
+            Self::Apse => vec![apse(n)],
         };
         let comments = vec![format!("{}, n = {n}, seed {seed}", self.name())];
         Case {
@@ -323,4 +328,23 @@ fn windows(n: usize) -> Part {
         edges: across.chain(up).collect(),
         speeds: Vec::new(),
     }
+}
+
+fn apse(n: usize) -> Part {
+    let base = n / 2;
+    let radius = base as f64 / 2.0;
+    let mut points: Points = (0..=base).map(|i| [i as f64, 0.0]).collect();
+    let arc = n - base;
+    points.extend((0..=arc).map(|i| {
+        let [x, y] = at_angle(i, 2 * arc, radius);
+        [radius + x, 1.0 + y.max(0.0)]
+    }));
+    let [low, high] = [0.5, 0.75].map(|share| share * radius);
+    let window = vec![
+        [radius, low],
+        [radius, high],
+        [1.25 * radius, high],
+        [1.25 * radius, low],
+    ];
+    Part::polygon(vec![points, window])
 }

@@ -39,7 +39,7 @@ use crate::{
 };
 use change::Changes;
 use schedule::Agenda;
-use triangulation::Triangulation;
+use triangulation::{Spokes, Triangulation, next, prev};
 
 /// The state of the propagation.
 struct Kinetic<'a> {
@@ -59,6 +59,10 @@ struct Kinetic<'a> {
     changes: Changes,
     stats: Stats,
 }
+
+/// A vertex with more triangles is relieved of some when something happens at it: each event
+/// at a vertex takes time for each of them, and there may be as many events.
+const CROWDED: usize = 48;
 
 /// What is to do and was done at one moment.
 #[derive(Default)]
@@ -245,14 +249,12 @@ impl Kinetic<'_> {
                     self.front.wave(trace.out),
                     self.now
                 );
-                let Self {
-                    batch,
-                    triangulation,
-                    ..
-                } = self;
-                batch
-                    .dirty
-                    .extend(triangulation.fan(trace.out).map(|(t, _)| t));
+                let spokes = self.triangulation.fan(trace.out).map(|(t, _)| t);
+                let before = self.batch.dirty.len();
+                self.batch.dirty.extend(spokes);
+                if self.batch.dirty.len() - before > CROWDED {
+                    self.thin_out(x);
+                }
             }
         }
         self.batch.fresh = fresh;
@@ -264,6 +266,26 @@ impl Kinetic<'_> {
             }
         }
         self.batch.dirty = dirty;
+    }
+
+    /// Flips every other spoke of a vertex away, where it can be done: where the two triangles beside it
+    /// make a strictly convex quadrilateral.
+    fn thin_out(&mut self, x: TraceId) {
+        let fan: Spokes = self.triangulation.fan(self.front.trace(x).out).collect();
+        let mut i = 0;
+        while let Some(&[(t, corner), (other, k)]) = fan.get(i..i + 2) {
+            i += 1;
+            let tips = self.triangulation.get(t).tips;
+            let [a, b] = [tips[next(corner)], tips[prev(corner)]];
+            let c = self.triangulation.get(other).tips[prev(k)];
+            let is_finite = [a, b, c].iter().all(|tip| tip.trace().is_some());
+            let is_positive = |tips| self.area_now(tips).is_positive();
+            if is_finite && is_positive([a, b, c]) && is_positive([x.into(), a, c]) {
+                self.triangulation.flip(t, next(corner));
+                self.stats.flips += 1;
+                i += 1;
+            }
+        }
     }
 
     /// Lets what is left run to infinity.

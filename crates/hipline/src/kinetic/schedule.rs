@@ -257,6 +257,7 @@ const NO_CLASS: u32 = u32::MAX;
 impl Kinetic<'_> {
     /// Finds the next collapse of a triangle and sets it in the queue.
     pub(super) fn reschedule(&mut self, t: TriangleId) {
+        self.stats.steps += 1;
         let found = if self.triangulation.is_alive(t) {
             self.next_collapse(t)
         } else {

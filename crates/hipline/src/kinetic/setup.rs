@@ -285,6 +285,7 @@ impl<'a> Kinetic<'a> {
         let n = self.triangulation.len() + self.changes.closed.len() + eaves;
         self.queue.reset(n);
         self.agenda = Agenda::new(n);
+        self.stats.steps += self.triangulation.len() as u64;
         let mut queued: Vec<(TriangleId, Bounds)> = Vec::with_capacity(n);
         for t in (0..self.triangulation.len()).map(TriangleId::new) {
             if self.triangulation.is_alive(t)

@@ -117,20 +117,24 @@ impl Kinetic<'_> {
     fn take_out(&mut self, p: TraceId, keep: WaveId) {
         let trace = *self.front.trace(p);
         // Flip its spokes away until one is left. The fan, seen from p, is a polygon over
-        // the base from `inn`'s start to `out`'s end, with an ear at some spoke's far end.
+        // the base from `inn`'s start to `out`'s end, with an ear at some spoke's far end. Ears beside
+        // the end of the base that is kept go first: the other end may be the next to be taken
+        // out, and must not collect the spokes of all before it.
         let mut fan: Spokes = self.triangulation.fan(trace.out).collect();
-        let mut i = 0;
+        let is_from_end = keep == trace.inn;
+        let first = |len: usize| if is_from_end { len - 2 } else { 0 };
+        let mut i = first(fan.len().max(2));
         while fan.len() > 2 {
-            if i + 1 >= fan.len() {
-                i = 0;
-            }
             let (t, corner) = fan[i];
             let (other, k) = fan[i + 1];
             let tips = self.triangulation.get(t).tips;
             let (a, b) = (tips[next(corner)], tips[prev(corner)]);
             let c = self.triangulation.get(other).tips[prev(k)];
             if self.orientation([a, b, c]) != Sign::Positive {
-                i += 1;
+                i = match i.checked_add_signed(if is_from_end { -1 } else { 1 }) {
+                    Some(i) if i + 1 < fan.len() => i,
+                    _ => first(fan.len()),
+                };
                 continue;
             }
             // The spoke p-b lies on the side of `t` after the corner.
@@ -144,7 +148,11 @@ impl Kinetic<'_> {
             };
             fan[i] = (kept, self.triangulation.corner_of(kept, p.into()));
             fan.remove(i + 1);
-            i = i.saturating_sub(1);
+            i = if is_from_end {
+                i.min(fan.len() - 2)
+            } else {
+                i.saturating_sub(1)
+            };
         }
         let [(t, k), (gone, j)] = fan[..] else {
             panic!("{p} is straight and has one triangle")

@@ -5,6 +5,7 @@
 //! is refused.
 
 use super::plane::orientation;
+use smallvec::SmallVec;
 
 /// Boundaries with more corners take the first proper ear instead of the best one.
 const CHOOSY: usize = 12;
@@ -28,13 +29,19 @@ pub(super) fn cut(
     }
     let before = triangles.len();
     let mut ring: Vec<(u32, [f64; 2])> = boundary.iter().map(|&v| (v, point(v))).collect();
+    // What is an ear stays one, and as round, as long as its neighbours stay.
+    let mut known: SmallVec<[Option<f64>; CHOOSY]> = SmallVec::new();
     let mut from = 0;
     while ring.len() > 3 {
         let n = ring.len();
         let mut best: Option<(f64, usize)> = None;
+        if n <= CHOOSY {
+            known.resize(n, None);
+        }
         for step in 0..n {
             let k = (from + step) % n;
-            let Some(roundness) = roundness(&ring, k) else {
+            let old = known.get(k).copied().flatten();
+            let Some(roundness) = old.or_else(|| roundness(&ring, k)) else {
                 continue;
             };
             if best.is_none_or(|(other, _)| roundness > other) {
@@ -43,13 +50,20 @@ pub(super) fn cut(
             if n > CHOOSY {
                 break;
             }
+            known[k] = Some(roundness);
         }
         let Some((_, k)) = best else {
             triangles.truncate(before);
             return false;
         };
-        triangles.push([ring[(k + n - 1) % n].0, ring[k].0, ring[(k + 1) % n].0]);
+        let [prev, next] = [(k + n - 1) % n, (k + 1) % n];
+        triangles.push([ring[prev].0, ring[k].0, ring[next].0]);
         ring.remove(k);
+        if n <= CHOOSY {
+            known[prev] = None;
+            known[next] = None;
+            known.remove(k);
+        }
         // The next one far from this one, lest all triangles share a corner.
         from = (k + 1) % (n - 1);
     }

@@ -9,7 +9,8 @@ pub struct Stats {
     pub split_events: u64,
     /// Flips of spokes.
     pub flips: u64,
-    /// Elementary steps of an engine without a queue: arcs drawn and arcs looked at.
+    /// Elementary steps: triangles looked at by the kinetic engine, arcs drawn and arcs looked at by those
+    /// without a triangulation.
     pub steps: u64,
     /// Decisions answered by f64 with a proven error bound.
     pub by_f64: u64,

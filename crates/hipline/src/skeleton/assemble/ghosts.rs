@@ -227,6 +227,9 @@ impl Assembly<'_> {
                     }
                     continue;
                 }
+                if ceiling.low > at.1 {
+                    continue;
+                }
                 let Some(hit) = self.meet_ceiling(born, ceiling, plane) else {
                     continue;
                 };
