@@ -261,15 +261,7 @@ impl Planes {
         if near.error() <= near.value().abs() / f64::from(1 << 30) {
             return bounds(&near);
         }
-        let t = self.near_time(place);
-        if t.error().is_finite() {
-            Bounds {
-                low: t.lower(),
-                high: t.upper(),
-            }
-        } else {
-            EVER
-        }
+        Bounds::of(&self.near_time(place)).unwrap_or(EVER)
     }
 
     /// The time of a place that is none of a ghost arc, in double-doubles; of 400 digits where paths are so nearly
