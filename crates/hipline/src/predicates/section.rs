@@ -10,7 +10,7 @@ use std::{cmp::Ordering, sync::Arc};
 use super::{
     decide::Question,
     planes::{PlaneId, Planes, Rung},
-    station::{Station, Track, line},
+    station::{Station, Track, line, side},
 };
 
 /// A line of the plan, directed: its left is positive.
@@ -75,10 +75,7 @@ struct Beside<'a>(&'a CellCorner, &'a Line);
 
 impl Question for Beside<'_> {
     fn ask<T: Rung>(&self, planes: &Planes) -> Option<Sign> {
-        let [x, y, w] = point::<T>(planes, self.0);
-        let ([u, v, z], sign) = numbers::<T>(planes, self.1);
-        let value = u.times(&x).plus(&v.times(&y)).minus(&z.times(&w));
-        Some(value.sign()? * w.sign()? * sign?)
+        side(&point::<T>(planes, self.0), &numbers::<T>(planes, self.1))
     }
 }
 

@@ -149,15 +149,21 @@ pub(super) fn line<T: Rung>(planes: &Planes, track: &Track) -> ([T; 3], Option<S
     }
 }
 
+/// On which side of a line a point `[x, y, w]` is.
+pub(super) fn side<T: Rung>(
+    [x, y, w]: &[T; 3],
+    ([u, v, z], sign): &([T; 3], Option<Sign>),
+) -> Option<Sign> {
+    let value = u.times(x).plus(&v.times(y)).minus(&z.times(w));
+    Some(value.sign()? * w.sign()? * (*sign)?)
+}
+
 /// On which side of a track a point is.
 struct Beside<'a>(Spot<'a>, &'a Track);
 
 impl Question for Beside<'_> {
     fn ask<T: Rung>(&self, planes: &Planes) -> Option<Sign> {
-        let [x, y, w] = spot::<T>(planes, self.0);
-        let ([u, v, z], sign) = line::<T>(planes, self.1);
-        let value = u.times(&x).plus(&v.times(&y)).minus(&z.times(&w));
-        Some(value.sign()? * w.sign()? * sign?)
+        side(&spot::<T>(planes, self.0), &line::<T>(planes, self.1))
     }
 }
 
