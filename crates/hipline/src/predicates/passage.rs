@@ -125,11 +125,7 @@ impl Question for Away {
     fn ask<T: Rung>(&self, planes: &Planes) -> Option<Sign> {
         let path = Path::<T>::new(planes, self.0);
         let plane = T::plane(planes, self.1);
-        plane
-            .a
-            .times(&path.x[1])
-            .plus(&plane.b.times(&path.y[1]))
-            .sign()
+        plane.away(&path.x[1], &path.y[1]).sign()
     }
 }
 

@@ -141,14 +141,13 @@ pub(super) fn point<T: Rung>(planes: &Planes, place: &Place) -> Point<T> {
             let plane = T::plane(planes, plane);
             // The coordinate of the start along the edge is p / q.
             let start = point::<T>(planes, &start.into());
-            let p = along(&plane.a, &plane.b, &start);
+            let p = plane.along(&start.x, &start.y);
             let q = start.w;
             match bound {
                 Bound::Pair(pair) => {
                     // On the arc that coordinate is (u0 + u1 t) / m.
                     let Path { x, y, m } = Path::<T>::new(planes, pair);
-                    let [u0, u1] =
-                        [0, 1].map(|k| plane.b.times(&x[k]).minus(&plane.a.times(&y[k])));
+                    let [u0, u1] = [0, 1].map(|k| plane.along(&x[k], &y[k]));
                     let time = p.times(&m).minus(&u0.times(&q));
                     let since = u1.times(&q);
                     let at = |z: &[T; 2]| z[0].times(&since).plus(&z[1].times(&time));
@@ -184,11 +183,6 @@ fn above<T: Number>(plane: &Plane<T>, p: &T, q: &T, [time, since]: [T; 2]) -> Po
     }
 }
 
-/// The coordinate along an edge with normal (a, b), times the point's w.
-fn along<T: Number>(a: &T, b: &T, point: &Point<T>) -> T {
-    b.times(&point.x).minus(&a.times(&point.y))
-}
-
 /// Which coordinate of places to compare.
 #[derive(Clone, Copy)]
 enum Key {
@@ -209,7 +203,7 @@ impl Question for Order<'_> {
         let split = |p: Point<T>| match self.2 {
             Key::Along(plane) => {
                 let plane = T::plane(planes, plane);
-                (along(&plane.a, &plane.b, &p), p.w)
+                (plane.along(&p.x, &p.y), p.w)
             }
             Key::Time => (p.time, p.since),
             Key::X => (p.x, p.w),
@@ -227,11 +221,7 @@ impl Question for Drift {
     fn ask<T: Rung>(&self, planes: &Planes) -> Option<Sign> {
         let path = Path::<T>::new(planes, self.0);
         let plane = T::plane(planes, self.1);
-        plane
-            .b
-            .times(&path.x[1])
-            .minus(&plane.a.times(&path.y[1]))
-            .sign()
+        plane.along(&path.x[1], &path.y[1]).sign()
     }
 }
 
@@ -245,10 +235,7 @@ impl Question for Drifts {
             None => (T::zero(), T::from_i64(1)),
             Some(pair) => {
                 let path = Path::<T>::new(planes, pair);
-                (
-                    plane.b.times(&path.x[1]).minus(&plane.a.times(&path.y[1])),
-                    path.m,
-                )
+                (plane.along(&path.x[1], &path.y[1]), path.m)
             }
         });
         Some(u.times(&n).minus(&v.times(&m)).sign()? * m.sign()? * n.sign()?)
@@ -262,9 +249,9 @@ impl Question for Beside<'_> {
     fn ask<T: Rung>(&self, planes: &Planes) -> Option<Sign> {
         let path = Path::<T>::new(planes, self.0);
         let plane = T::plane(planes, self.2);
-        let u = plane.b.times(&path.x[0]).minus(&plane.a.times(&path.y[0]));
+        let u = plane.along(&path.x[0], &path.y[0]);
         let place = point::<T>(planes, self.1);
-        let p = along(&plane.a, &plane.b, &place);
+        let p = plane.along(&place.x, &place.y);
         Some(u.times(&place.w).minus(&p.times(&path.m)).sign()? * place.w.sign()?)
     }
 }
@@ -282,11 +269,7 @@ impl Question for Ahead<'_> {
             since,
         } = point::<T>(planes, self.0);
         let plane = T::plane(planes, self.1);
-        let reach = plane
-            .a
-            .times(&x)
-            .plus(&plane.b.times(&y))
-            .minus(&plane.c.times(&w));
+        let reach = plane.reach([&x, &y, &w]);
         let value = reach.times(&since).minus(&plane.s.times(&time).times(&w));
         Some(value.sign()? * w.sign()? * since.sign()?)
     }

@@ -52,6 +52,26 @@ pub(crate) struct Plane<T> {
     pub s: T,
 }
 
+impl<T: Number> Plane<T> {
+    /// `b x - a y`: how far a vector goes along the edge, times its length.
+    #[inline]
+    pub(super) fn along(&self, x: &T, y: &T) -> T {
+        self.b.times(x).minus(&self.a.times(y))
+    }
+
+    /// `a x + b y`: how far a vector goes away from the edge, times its length.
+    #[inline]
+    pub(super) fn away(&self, x: &T, y: &T) -> T {
+        self.a.times(x).plus(&self.b.times(y))
+    }
+
+    /// `a x + b y - c w`: how far a point at `x / w`, `y / w` is ahead of the edge, times its length and w.
+    #[inline]
+    pub(super) fn reach(&self, [x, y, w]: [&T; 3]) -> T {
+        self.away(x, y).minus(&self.c.times(w))
+    }
+}
+
 /// A line with coprime integer normal.
 #[derive(Debug, Clone)]
 pub(super) enum Line {

@@ -41,7 +41,7 @@ fn numbers<T: Rung>(planes: &Planes, of: &Line) -> ([T; 3], Option<Sign>) {
         Line::Down(plane, at) => {
             let plane = T::plane(planes, *plane);
             let [x, y, w] = at.numbers::<T>(planes);
-            let z = plane.b.times(&x).minus(&plane.a.times(&y));
+            let z = plane.along(&x, &y);
             (
                 [plane.b.times(&w), plane.a.negated().times(&w), z],
                 Some(Sign::Positive),

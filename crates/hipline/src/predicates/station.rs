@@ -96,15 +96,6 @@ pub(crate) enum Track {
     Level(PlaneId, f64),
 }
 
-/// `a x + b y - c w`: how far a point is ahead of a plane's edge, times its length and w.
-fn reach<T: Rung>(plane: &Plane<T>, [x, y, w]: &[T; 3]) -> T {
-    plane
-        .a
-        .times(x)
-        .plus(&plane.b.times(y))
-        .minus(&plane.c.times(w))
-}
-
 /// `[u, v, z]` of the line `u x + v y = z`, such that `u x + v y - z` has the sign of the
 /// track's sides, but for the sign that comes second.
 pub(super) fn line<T: Rung>(planes: &Planes, track: &Track) -> ([T; 3], Option<Sign>) {
@@ -127,14 +118,14 @@ pub(super) fn line<T: Rung>(planes: &Planes, track: &Track) -> ([T; 3], Option<S
             let plane = T::plane(planes, *plane);
             let start = point::<T>(planes, start);
             let (u, v) = (plane.b.times(&start.w), plane.a.negated().times(&start.w));
-            let z = plane.b.times(&start.x).minus(&plane.a.times(&start.y));
+            let z = plane.along(&start.x, &start.y);
             ([u, v, z], start.w.sign())
         }
         Track::Along(plane, start) => {
             let plane = T::plane(planes, *plane);
             let start = point::<T>(planes, start);
             let (u, v) = (plane.a.times(&start.w), plane.b.times(&start.w));
-            let z = plane.a.times(&start.x).plus(&plane.b.times(&start.y));
+            let z = plane.away(&start.x, &start.y);
             ([u, v, z], start.w.sign())
         }
         Track::Level(plane, time) => {
@@ -186,7 +177,7 @@ impl Question for Apart<'_> {
             Axis::Y => d(1),
             Axis::Along(plane) => {
                 let plane = T::plane(planes, plane);
-                plane.b.times(&d(0)).minus(&plane.a.times(&d(1)))
+                plane.along(&d(0), &d(1))
             }
         };
         Some(value.sign()? * p[2].sign()? * q[2].sign()?)
@@ -254,14 +245,14 @@ fn landing<T: Rung>(planes: &Planes, from: Spot, plane: PlaneId, track: &Track) 
     let [x, y, w] = spot::<T>(planes, from);
     let ([u, v, z], _) = line::<T>(planes, track);
     // On it, b x - a y = p / w.
-    let p = plane.b.times(&x).minus(&plane.a.times(&y));
+    let p = plane.along(&x, &y);
     let det = u.times(&plane.a).plus(&v.times(&plane.b));
     let at = [
         z.times(&plane.a).times(&w).plus(&v.times(&p)),
         z.times(&plane.b).times(&w).minus(&u.times(&p)),
         det.times(&w),
     ];
-    let time = reach(&plane, &at);
+    let time = plane.reach(at.each_ref());
     let since = plane.s.times(&at[2]);
     let [x, y, w] = at;
     [x, y, w, time, since]
@@ -312,7 +303,7 @@ impl Planes {
         fn parts<T: Rung>(planes: &Planes, at: &Station, plane: PlaneId) -> [T; 2] {
             let plane = T::plane(planes, plane);
             let at = spot::<T>(planes, Spot::Station(at));
-            [reach(&plane, &at), plane.s.times(&at[2])]
+            [plane.reach(at.each_ref()), plane.s.times(&at[2])]
         }
         let [p, q] = parts::<BallDd>(self, at, plane);
         round_ball_dd_plus(&p, &q, self.rough_time_unit(), 0.0).unwrap_or_else(|| {
