@@ -71,16 +71,8 @@ impl Heights {
 
 /// Whether the caller gave a vertex of this name.
 fn is_vertex(parts: &[Part], at: Place) -> bool {
-    let count = match parts.get(at.part) {
-        None => 0,
-        Some(Part::Polygon { rings, .. }) => rings
-            .get(at.ring)
-            .map_or(0, |ring| super::gather::without_closing_point(ring).len()),
-        Some(_) if at.ring != 0 => 0,
-        Some(Part::Line { points, .. }) => points.len(),
-        Some(Part::Graph { vertices, .. }) => vertices.len(),
-    };
-    at.index < count
+    let counts = parts.get(at.part).map(|part| part.counts(at.ring));
+    counts.is_some_and(|[vertices, _]| at.index < vertices)
 }
 
 /// Checks the edges whose ends have heights: their facets must be steeper than they, and
