@@ -155,7 +155,7 @@ mod tests {
         let back = way.map(|[p, q]| [q, p]);
         assert_eq!(compare_lengths(&way, &back, 0.0), Ordering::Equal);
         // 1/2^60 apart.
-        let more = flat(1.0, 2.0_f64.powi(-60));
+        let more = flat(1.0, ldexp(1.0, -60));
         assert_eq!(
             compare_lengths(&[more], &[flat(1.0, 0.0)], 0.0),
             Ordering::Greater

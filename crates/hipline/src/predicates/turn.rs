@@ -47,7 +47,7 @@ mod tests {
 
     #[test]
     fn what_rounding_hides_is_seen() {
-        let tiny = 2_f64.powi(-60);
+        let tiny = hipline_num::power_of_two(-60);
         let level = [[tiny, 0.0], [1.0, 0.0]];
         let steep = [[0.0, 0.0], [1.0, tiny]];
         assert_eq!(turn(level, steep), Sign::Positive, "to the left");
