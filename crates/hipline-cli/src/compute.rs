@@ -32,6 +32,19 @@ pub struct Computed<T = Skeleton> {
     pub result: Result<T, String>,
 }
 
+/// The skeletons among what was computed, for the statistics.
+pub fn skeletons_of<T>(
+    computed: Vec<Computed<T>>,
+    skeleton: impl Fn(T) -> Skeleton,
+) -> Vec<Computed> {
+    let skeletons = computed.into_iter().map(|c| Computed {
+        name: c.name,
+        figure: c.figure,
+        result: c.result.map(&skeleton),
+    });
+    skeletons.collect()
+}
+
 /// A job with fewer points has no progress bar.
 const LONG: usize = 20_000;
 

@@ -1,13 +1,14 @@
 //! Skeletons of chains and the choice of engines on the command line.
 
+mod common;
+
 use std::{
     fs,
     io::{Read, Write},
-    path::PathBuf,
-    process::{Output, Stdio},
+    process::Stdio,
 };
 
-use assert_cmd::Command;
+use common::{Scratch, json, run, text};
 use serde_json::Value;
 
 /// A valley between two hills; monotone in x.
@@ -16,17 +17,8 @@ const CHAIN: &str = "LINESTRING (0 0, 4 0, 6 3, 9 1, 13 2)";
 /// A trough: its ends rise for ever, and meet face to face.
 const TROUGH: &str = "LINESTRING (0 5, 0 0, 4 0, 4 5)";
 
-fn run(args: &[&str], input: &str) -> Output {
-    let mut command = Command::cargo_bin("hipline").unwrap();
-    command.args(args).write_stdin(input).output().unwrap()
-}
-
-fn text(bytes: &[u8]) -> &str {
-    std::str::from_utf8(bytes).unwrap()
-}
-
 /// The output of a run that succeeds.
-fn out(args: &[&str], input: &str) -> Vec<u8> {
+fn printed(args: &[&str], input: &str) -> Vec<u8> {
     let output = run(args, input);
     assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
     assert!(output.stderr.is_empty(), "{}", text(&output.stderr));
@@ -41,37 +33,15 @@ fn fails(args: &[&str], input: &str, code: i32) -> String {
     text(&output.stderr).to_owned()
 }
 
-fn json(args: &[&str], input: &str) -> Value {
-    serde_json::from_slice(&out(args, input)).unwrap()
-}
-
-/// A directory of its own for one test, gone at its end.
-struct Scratch(PathBuf);
-
-impl Scratch {
-    fn new(name: &str) -> Self {
-        let name = format!("hipline-chains-{name}-{}", std::process::id());
-        let path = std::env::temp_dir().join(name);
-        fs::create_dir_all(&path).unwrap();
-        Self(path)
-    }
-
-    fn path(&self, name: &str) -> String {
-        self.0.join(name).to_str().unwrap().to_owned()
-    }
-}
-
-impl Drop for Scratch {
-    fn drop(&mut self) {
-        let _ = fs::remove_dir_all(&self.0);
-    }
+fn made(args: &[&str], input: &str) -> Value {
+    json(text(&printed(args, input)))
 }
 
 #[test]
 fn each_side_of_a_chain_has_a_face_per_edge() {
     let sides = [("left", [3, 0]), ("right", [4, 1])];
     for (side, [arcs, events]) in sides {
-        let result = json(&["skeleton", "-", "--chain", side], CHAIN);
+        let result = made(&["skeleton", "-", "--chain", side], CHAIN);
         let faces = result["faces"].as_array().unwrap();
         assert_eq!(faces.len(), 4);
         assert!(faces.iter().all(|face| face["side"] == side));
@@ -92,7 +62,7 @@ fn each_side_of_a_chain_has_a_face_per_edge() {
 
 #[test]
 fn the_bisector_of_two_rays_is_exact() {
-    let corner = json(
+    let corner = made(
         &["skeleton", "-", "--chain", "left"],
         "LINESTRING (0 0, 4 0, 4 3)",
     );
@@ -135,12 +105,15 @@ fn all_formats_are_written() {
     }
     // Written and given back, and the same without a file.
     let written = fs::read(scratch.path("result.json")).unwrap();
-    assert_eq!(out(&["skeleton", "-", "--chain", "right"], CHAIN), written);
+    assert_eq!(
+        printed(&["skeleton", "-", "--chain", "right"], CHAIN),
+        written
+    );
 }
 
 #[test]
 fn rays_reach_the_border_of_the_picture() {
-    let svg = out(
+    let svg = printed(
         &["skeleton", "-", "--chain", "left", "--format", "svg"],
         CHAIN,
     );
@@ -241,7 +214,7 @@ fn a_reader_that_goes_away_is_no_error() {
 fn engines_give_the_same_or_say_why_not() {
     let stairs = "POLYGON ((0 0, 9 0, 9 2, 6 2, 6 5, 2 5, 2 3, 0 3, 0 0))";
     let count = |engine: &str| {
-        let result = json(&["skeleton", "-", "--engine", engine], stairs);
+        let result = made(&["skeleton", "-", "--engine", engine], stairs);
         let size = |list: &str| result[list].as_array().unwrap().len();
         [size("nodes"), size("arcs"), size("faces")]
     };
@@ -277,7 +250,7 @@ fn engines_give_the_same_or_say_why_not() {
     let slow = ["--weight", "1=1.25"];
     let weighted = |engine: &str| {
         let flags = ["skeleton", "-", "--engine", engine];
-        json(&[&flags[..], &slow].concat(), ring)["arcs"]
+        made(&[&flags[..], &slow].concat(), ring)["arcs"]
             .as_array()
             .unwrap()
             .len()

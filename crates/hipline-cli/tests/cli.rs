@@ -1,12 +1,10 @@
 //! The program as a user meets it: each command, formats, pipes, exit codes, flawed input.
 
-use std::{
-    fs,
-    path::{Path, PathBuf},
-    process::Output,
-};
+mod common;
 
-use assert_cmd::Command;
+use std::{fs, path::Path};
+
+use common::{Scratch, code, err, json, out, run};
 use expect_test::expect;
 use serde_json::Value;
 
@@ -18,68 +16,6 @@ const ONE_BAD: &str = r#"{"type":"FeatureCollection","features":[
 {"type":"Feature","id":"bow","properties":{},"geometry":{"type":"Polygon","coordinates":[[[0,0],[4,4],[4,0],[0,4],[0,0]]]}},
 {"type":"Feature","id":"c","properties":{},"geometry":{"type":"Polygon","coordinates":[[[10,0],[14,0],[14,3],[10,3],[10,0]]]}}
 ]}"#;
-
-fn hipline(args: &[&str]) -> Command {
-    let mut command = Command::cargo_bin("hipline").unwrap();
-    command.args(args);
-    command
-}
-
-/// Runs the program with something on its standard input.
-fn run(args: &[&str], input: &str) -> Output {
-    hipline(args).write_stdin(input).output().unwrap()
-}
-
-fn out(output: &Output) -> &str {
-    std::str::from_utf8(&output.stdout).unwrap()
-}
-
-fn err(output: &Output) -> &str {
-    std::str::from_utf8(&output.stderr).unwrap()
-}
-
-fn code(output: &Output) -> i32 {
-    output.status.code().expect("the program ends by itself")
-}
-
-fn json(text: &str) -> Value {
-    serde_json::from_str(text).unwrap()
-}
-
-/// A directory of its own for one test, gone at its end.
-struct Scratch(PathBuf);
-
-impl Scratch {
-    fn new(name: &str) -> Self {
-        let path = std::env::temp_dir().join(format!("hipline-cli-{name}-{}", std::process::id()));
-        fs::create_dir_all(&path).unwrap();
-        Self(path)
-    }
-
-    fn path(&self, name: &str) -> String {
-        self.0.join(name).to_str().unwrap().to_owned()
-    }
-
-    fn file(&self, name: &str, content: &str) -> String {
-        fs::write(self.0.join(name), content).unwrap();
-        self.path(name)
-    }
-
-    fn names(&self) -> Vec<String> {
-        let entries = fs::read_dir(&self.0).unwrap();
-        let mut names: Vec<_> = entries
-            .map(|e| e.unwrap().file_name().into_string().unwrap())
-            .collect();
-        names.sort();
-        names
-    }
-}
-
-impl Drop for Scratch {
-    fn drop(&mut self) {
-        let _ = fs::remove_dir_all(&self.0);
-    }
-}
 
 #[test]
 fn help() {

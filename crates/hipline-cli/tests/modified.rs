@@ -1,54 +1,26 @@
 //! Modified skeletons on the command line.
 
-use std::{fs, path::PathBuf, process::Output};
+mod common;
 
-use assert_cmd::Command;
+use common::{Scratch, err, result};
 use serde_json::Value;
 
 /// A star of three acute points.
 const STAR: &str = "POLYGON ((0 0, 10 2, 20 0, 12 9, 10 20, 8 9, 0 0))\n";
 
-/// A directory of its own for one test, gone at its end.
-struct Scratch(PathBuf);
-
-impl Scratch {
-    fn new(name: &str) -> Self {
-        let path =
-            std::env::temp_dir().join(format!("hipline-modified-{name}-{}", std::process::id()));
-        fs::create_dir_all(&path).unwrap();
-        fs::write(path.join("star.wkt"), STAR).unwrap();
-        Self(path)
-    }
-
-    fn run(&self, args: &[&str]) -> Output {
-        let mut command = Command::cargo_bin("hipline").unwrap();
-        command.args(args).current_dir(&self.0).output().unwrap()
-    }
-
-    /// The output of a run that succeeds, as JSON.
-    fn json(&self, args: &[&str]) -> Value {
-        let output = self.run(args);
-        assert_eq!(output.status.code(), Some(0), "{}", err(&output));
-        serde_json::from_slice(&output.stdout).unwrap()
-    }
-}
-
-impl Drop for Scratch {
-    fn drop(&mut self) {
-        let _ = fs::remove_dir_all(&self.0);
-    }
-}
-
-fn err(output: &Output) -> &str {
-    std::str::from_utf8(&output.stderr).unwrap()
+/// A directory with the star in a file.
+fn star(name: &str) -> Scratch {
+    let scratch = Scratch::new(name);
+    scratch.file("star.wkt", STAR);
+    scratch
 }
 
 #[test]
 fn modified_skeletons_are_written_and_checked() {
-    let scratch = Scratch::new("written");
+    let scratch = star("written");
     let args = ["skeleton", "star.wkt", "--side", "exterior"];
-    let plain = scratch.json(&args);
-    let modified = scratch.json(&[&args[..], &["--modified"]].concat());
+    let plain = result(&scratch.run(&args));
+    let modified = result(&scratch.run(&[&args[..], &["--modified"]].concat()));
     let sides = |result: &Value| -> Vec<String> {
         let faces = result["faces"].as_array().unwrap().iter();
         let sides = faces.map(|face| face["side"].as_str().unwrap().to_owned());
@@ -69,7 +41,7 @@ fn modified_skeletons_are_written_and_checked() {
 
 #[test]
 fn no_offset_shoots_ahead() {
-    let scratch = Scratch::new("offset");
+    let scratch = star("offset");
     let args = ["offset", "star.wkt", "--side", "exterior", "-d", "2"];
     let farthest = |map: &Value| {
         let text = map["features"].to_string();
@@ -78,8 +50,10 @@ fn no_offset_shoots_ahead() {
             .filter_map(|number| number.parse::<f64>().ok());
         numbers.fold(0.0, f64::max)
     };
-    let plain = farthest(&scratch.json(&args));
-    let modified = farthest(&scratch.json(&[&args[..], &["--modified"]].concat()));
+    let plain = farthest(&result(&scratch.run(&args)));
+    let modified = farthest(&result(
+        &scratch.run(&[&args[..], &["--modified"]].concat()),
+    ));
     assert!(plain > 30.0, "{plain}");
     assert!(
         modified < 20.0 + 2.0 * std::f64::consts::SQRT_2,
@@ -89,7 +63,7 @@ fn no_offset_shoots_ahead() {
 
 #[test]
 fn weights_are_refused() {
-    let scratch = Scratch::new("weights");
+    let scratch = star("weights");
     let args = ["skeleton", "star.wkt", "--modified", "--weight", "2=3"];
     let output = scratch.run(&args);
     assert_eq!(output.status.code(), Some(1));

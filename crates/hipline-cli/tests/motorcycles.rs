@@ -1,53 +1,15 @@
 //! `hipline motorcycles` as a user meets it.
 
-use std::{
-    fs,
-    path::{Path, PathBuf},
-    process::Output,
-};
+mod common;
 
-use assert_cmd::Command;
+use std::{fs, path::Path};
+
+use common::{Scratch, result, run, text};
 use serde_json::Value;
 
 const NOTCH: &str = "POLYGON ((0 0, 8 0, 8 6, 4 2, 0 6))";
 
 const RACE: &str = "x,y,vx,vy,time\n0,0,1,0,0\n3,-4,0,2,0.5\n2,1,-1,0,\n";
-
-fn run(args: &[&str], input: &str) -> Output {
-    let mut command = Command::cargo_bin("hipline").unwrap();
-    command.args(args).write_stdin(input).output().unwrap()
-}
-
-/// A folder that is gone afterwards.
-struct Scratch(PathBuf);
-
-impl Scratch {
-    fn new(test: &str) -> Self {
-        let name = format!("hipline-motorcycles-{test}-{}", std::process::id());
-        let path = std::env::temp_dir().join(name);
-        fs::create_dir_all(&path).unwrap();
-        Self(path)
-    }
-
-    fn path(&self, name: &str) -> String {
-        self.0.join(name).to_str().unwrap().to_owned()
-    }
-}
-
-impl Drop for Scratch {
-    fn drop(&mut self) {
-        let _ = fs::remove_dir_all(&self.0);
-    }
-}
-
-fn text(bytes: &[u8]) -> &str {
-    std::str::from_utf8(bytes).unwrap()
-}
-
-fn json(output: &Output) -> Value {
-    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
-    serde_json::from_slice(&output.stdout).unwrap()
-}
 
 #[test]
 fn a_polygon_sends_its_reflex_vertices() {
@@ -59,7 +21,7 @@ fn a_polygon_sends_its_reflex_vertices() {
         "{}",
         text(&output.stdout)
     );
-    let result = &json(&output)["results"][0];
+    let result = &result(&output)["results"][0];
     let motorcycles = result["motorcycles"].as_array().unwrap();
     assert_eq!(motorcycles.len(), 1);
     let one = &motorcycles[0];
@@ -77,7 +39,7 @@ fn a_polygon_sends_its_reflex_vertices() {
 
 #[test]
 fn tracks_are_lines_of_a_map() {
-    let lines = json(&run(&["motorcycles", "-", "-f", "geojson"], NOTCH));
+    let lines = result(&run(&["motorcycles", "-", "-f", "geojson"], NOTCH));
     let feature = &lines["features"][0];
     assert_eq!(feature["geometry"]["type"], "LineString");
     assert_eq!(
@@ -100,7 +62,7 @@ fn tables_have_motorcycles_of_any_velocity() {
         "--walls",
         &path("walls.wkt"),
     ];
-    let result = &json(&run(&args, ""))["results"][0];
+    let result = &result(&run(&args, ""))["results"][0];
     let ends: Vec<&str> = (result["motorcycles"].as_array().unwrap().iter())
         .map(|m| m["end"].as_str().unwrap())
         .collect();

@@ -1,24 +1,13 @@
 //! `hipline terrain`, `rain` and `query` as a user meets them.
 
-use std::{fs, process::Output};
+mod common;
 
-use assert_cmd::Command;
+use std::fs;
+
+use common::{Scratch, err, json, out, run};
 use serde_json::Value;
 
 const RIVERS: &str = "MULTILINESTRING ((0 0, 10 2, 20 0), (10 2, 12 9), (3 7, 6 7, 5 10))";
-
-fn run(args: &[&str], input: &str) -> Output {
-    let mut command = Command::cargo_bin("hipline").unwrap();
-    command.args(args).write_stdin(input).output().unwrap()
-}
-
-fn out(output: &Output) -> &str {
-    std::str::from_utf8(&output.stdout).unwrap()
-}
-
-fn err(output: &Output) -> &str {
-    std::str::from_utf8(&output.stderr).unwrap()
-}
 
 #[test]
 fn queries_answer_in_tables_and_json() {
@@ -50,8 +39,8 @@ fn queries_answer_in_tables_and_json() {
         "{}",
         err(&beside)
     );
-    let json: Value = serde_json::from_str(out(&beside)).unwrap();
-    assert_eq!(json[0]["height"], Value::Null);
+    let answers = json(out(&beside));
+    assert_eq!(answers[0]["height"], Value::Null);
     let grid = run(
         &["query", "-", "--grid", "1", "--window", "0,0,8,4"],
         square,
@@ -62,8 +51,8 @@ fn queries_answer_in_tables_and_json() {
 #[test]
 fn drops_run_to_the_river() {
     let output = run(&["rain", "-", "--at", "5,-2"], RIVERS);
-    let json: Value = serde_json::from_str(out(&output)).unwrap();
-    let properties = &json["features"][0]["properties"];
+    let drops = json(out(&output));
+    let properties = &drops["features"][0]["properties"];
     assert_eq!(properties["ends"], "edge", "{}", out(&output));
     assert_eq!(properties["source_edge"], 0);
     assert_eq!(properties["part"], 0);
@@ -96,12 +85,11 @@ fn areas_of_river_systems_fill_the_window() {
 
 #[test]
 fn terrains_come_in_all_formats() {
-    let folder = std::env::temp_dir().join(format!("hipline-surface-{}", std::process::id()));
-    fs::create_dir_all(&folder).unwrap();
+    let scratch = Scratch::new("terrains");
     let formats = ["obj", "asc", "tif", "geojson", "svg", "png"];
     let files: Vec<String> = formats
         .iter()
-        .map(|f| folder.join(format!("t.{f}")).to_str().unwrap().to_owned())
+        .map(|f| scratch.path(&format!("t.{f}")))
         .collect();
     let mut args = vec![
         "terrain",
@@ -130,7 +118,6 @@ fn terrains_come_in_all_formats() {
         let bytes = fs::read(file).unwrap();
         assert!(bytes.starts_with(start), "{file}: {:?}", &bytes[..20]);
     }
-    fs::remove_dir_all(&folder).unwrap();
 }
 
 #[test]

@@ -1,62 +1,21 @@
 //! Weights and heights on the command line: each result is verified by `hipline check`, told the same.
 
-use std::{
-    fs,
-    path::{Path, PathBuf},
-    process::Output,
-};
+mod common;
 
-use assert_cmd::Command;
+use std::{fs, path::Path};
+
+use common::{Scratch, code, err, json};
 use serde_json::Value;
 
 const HOUSE: &str = "POLYGON ((0 0, 12 0, 12 8, 0 8, 0 0))\n";
 
-/// A directory of its own for one test, gone at its end.
-struct Scratch(PathBuf);
-
-impl Scratch {
-    fn new(name: &str) -> Self {
-        let path =
-            std::env::temp_dir().join(format!("hipline-weights-{name}-{}", std::process::id()));
-        fs::create_dir_all(&path).unwrap();
-        Self(path)
-    }
-
-    fn file(&self, name: &str, content: &str) {
-        fs::write(self.0.join(name), content).unwrap();
-    }
-
-    fn run(&self, args: &[&str]) -> Output {
-        let mut command = Command::cargo_bin("hipline").unwrap();
-        command.args(args).current_dir(&self.0).output().unwrap()
-    }
-
-    /// The result of `skeleton`, verified by `check`.
-    fn skeleton(&self, input: &str, flags: &[&str]) -> Value {
-        let made = self.run(&[&["skeleton", input, "-o", "result.json"], flags].concat());
-        assert_eq!(code(&made), 0, "{flags:?}: {}", err(&made));
-        let checked = self.run(&[&["check", input, "--result", "result.json"], flags].concat());
-        assert_eq!(code(&checked), 0, "{flags:?}: {}", err(&checked));
-        json(&fs::read_to_string(self.0.join("result.json")).unwrap())
-    }
-}
-
-impl Drop for Scratch {
-    fn drop(&mut self) {
-        let _ = fs::remove_dir_all(&self.0);
-    }
-}
-
-fn code(output: &Output) -> i32 {
-    output.status.code().expect("the program ends by itself")
-}
-
-fn err(output: &Output) -> &str {
-    std::str::from_utf8(&output.stderr).unwrap()
-}
-
-fn json(text: &str) -> Value {
-    serde_json::from_str(text).unwrap()
+/// The result of `skeleton`, verified by `check`.
+fn skeleton(scratch: &Scratch, input: &str, flags: &[&str]) -> Value {
+    let made = scratch.run(&[&["skeleton", input, "-o", "result.json"], flags].concat());
+    assert_eq!(code(&made), 0, "{flags:?}: {}", err(&made));
+    let checked = scratch.run(&[&["check", input, "--result", "result.json"], flags].concat());
+    assert_eq!(code(&checked), 0, "{flags:?}: {}", err(&checked));
+    json(&fs::read_to_string(scratch.0.join("result.json")).unwrap())
 }
 
 /// The highest node, and how many faces of each phase and creases there are.
@@ -80,7 +39,7 @@ fn summary(result: &Value) -> (f64, usize, usize, usize) {
 fn gables_mansards_late_starts_and_heights() {
     let scratch = Scratch::new("houses");
     scratch.file("house.wkt", HOUSE);
-    let of = |flags: &[&str]| summary(&scratch.skeleton("house.wkt", flags));
+    let of = |flags: &[&str]| summary(&skeleton(&scratch, "house.wkt", flags));
     let gables = of(&["--gable", "1", "--gable", "0:3"]);
     assert_eq!(gables, (4.0, 4, 0, 0));
     assert_eq!(of(&["--weight", "1=0", "--weight", "0:0:3=0"]), gables);
@@ -102,12 +61,12 @@ fn gables_mansards_late_starts_and_heights() {
         "river.wkt",
         "LINESTRING Z (0 2 4, 6 4 3, 12 3 2, 18 6 1, 26 5 0)",
     );
-    let river = summary(&scratch.skeleton("river.wkt", &["--heights", "z"]));
+    let river = summary(&skeleton(&scratch, "river.wkt", &["--heights", "z"]));
     assert!(
         river.2 >= 8 && river.3 >= 8,
         "facets and eaves on both sides: {river:?}"
     );
-    let level = summary(&scratch.skeleton("river.wkt", &[]));
+    let level = summary(&skeleton(&scratch, "river.wkt", &[]));
     assert_eq!((level.2, level.3), (0, 0));
 }
 
@@ -115,7 +74,7 @@ fn gables_mansards_late_starts_and_heights() {
 fn check_has_to_be_told_the_same() {
     let scratch = Scratch::new("told");
     scratch.file("house.wkt", HOUSE);
-    scratch.skeleton("house.wkt", &["--start", "0=2"]);
+    skeleton(&scratch, "house.wkt", &["--start", "0=2"]);
     let output = scratch.run(&["check", "house.wkt", "--result", "result.json"]);
     assert_eq!(code(&output), 1);
     assert!(err(&output).contains("violation"), "{}", err(&output));
@@ -132,9 +91,9 @@ fn tables_and_several_features() {
         "t.csv",
         "feature,ring,edge,side,speed,start\n0,0,1,,0,\n1,0,*,left,2,\n1,0,1,right,,3\n",
     );
-    let by_table = scratch.skeleton("two.wkt", &["--weights", "t.csv"]);
+    let by_table = skeleton(&scratch, "two.wkt", &["--weights", "t.csv"]);
     assert_eq!(by_table["results"].as_array().unwrap().len(), 2);
-    let together = scratch.skeleton("two.wkt", &["--weights", "t.csv", "--together"]);
+    let together = skeleton(&scratch, "two.wkt", &["--weights", "t.csv", "--together"]);
     assert!(together["arcs"].is_array());
     let late = scratch.run(&["offset", "two.wkt", "--weights", "t.csv", "-d", "1"]);
     assert_eq!(code(&late), 0, "{}", err(&late));
@@ -242,7 +201,8 @@ fn walls_have_to_be_allowed() {
     assert!(err(&output).contains("--allow-walls"), "{}", err(&output));
     assert_eq!(err(&output).lines().count(), 1);
     assert!(output.stdout.is_empty());
-    scratch.skeleton(
+    skeleton(
+        &scratch,
         "lines.wkt",
         &["--together", "--heights", "z", "--allow-walls"],
     );
@@ -336,7 +296,7 @@ fn the_page_runs() {
             assert_eq!(code(&output), 0, "{line}: {}", err(&output));
             let result = json(std::str::from_utf8(&output.stdout).unwrap());
             if args[0] == "skeleton" {
-                scratch.skeleton(args[1], &args[2..]);
+                skeleton(&scratch, args[1], &args[2..]);
             }
             results.push((
                 result["nodes"].clone(),

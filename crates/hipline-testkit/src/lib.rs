@@ -1,6 +1,7 @@
 //! Generators, the reference engine and the laws that hipline is tested by.
 //!
 //! - [`case`]: one test case as plain data, and the text format of the corpus
+//! - [`data`]: where inputs from the field are
 //! - [`generate`]: cases from seeds, small degenerate ones and large families
 //! - [`reference`](mod@reference): an independent exact engine for small cases
 //! - [`agreement`]: arc for arc, bit for bit
@@ -11,6 +12,7 @@
 
 pub mod agreement;
 pub mod case;
+pub mod data;
 pub mod generate;
 pub mod hunt;
 pub mod measure;

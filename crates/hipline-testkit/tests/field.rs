@@ -4,16 +4,11 @@
 
 use std::collections::HashMap;
 use std::fs;
-use std::path::{Path, PathBuf};
 
 use hipline::Region;
+use hipline_testkit::data;
 use hipline_testkit::reference::{Graph, RefKind, reference};
 use serde_json::Value;
-
-fn folder() -> Option<PathBuf> {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../../shared/data");
-    folder.join("expected").is_dir().then_some(folder)
-}
 
 fn point(value: &Value) -> [f64; 2] {
     [0, 1].map(|k| value[k].as_f64().expect("a coordinate"))
@@ -93,8 +88,7 @@ fn unmatched(these: &[[f64; 3]], those: &[[f64; 3]], tolerance: f64) -> Vec<[f64
 
 #[test]
 fn agrees_with_another_program() {
-    let Some(folder) = folder() else {
-        println!("skipped: no data from the field here");
+    let Some(folder) = data::folder() else {
         return;
     };
     let most: usize = std::env::var("HIPLINE_FIELD_VERTICES")
@@ -103,12 +97,7 @@ fn agrees_with_another_program() {
         .unwrap_or(10);
     let (mut tried, mut wrong) = (0, Vec::new());
     let mut slowest = (std::time::Duration::ZERO, String::new());
-    let mut files: Vec<PathBuf> = fs::read_dir(folder.join("expected"))
-        .expect("a folder")
-        .map(|entry| entry.expect("a file").path())
-        .collect();
-    files.sort();
-    for file in files {
+    for file in data::files(&folder.join("expected"), "jsonl") {
         let name = file.file_stem().expect("a name").to_str().expect("text");
         if std::env::var("HIPLINE_FIELD_FILE").is_ok_and(|only| only != name) {
             continue;

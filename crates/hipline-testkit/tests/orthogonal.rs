@@ -3,7 +3,6 @@
 mod common;
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
-use std::thread;
 
 use common::count;
 use hipline::Figure;
@@ -13,6 +12,7 @@ use hipline_testkit::Case;
 use hipline_testkit::agreement::{End, compare, drawn};
 use hipline_testkit::case::Part;
 use hipline_testkit::generate::{Columns, Random, columns, orthogonal, subdivide};
+use hipline_testkit::hunt::check_all;
 use hipline_testkit::metamorphic::Map;
 use hipline_testkit::reference::{Graph, reference};
 
@@ -110,41 +110,18 @@ fn failure(case: &Case, with_reference: bool) -> Option<String> {
     how
 }
 
-fn check(cases: u64, with_reference: impl Fn(&Case) -> bool + Sync) {
-    let threads = 2;
-    println!("seeds 0 to {cases}");
-    let wrong: Vec<String> = thread::scope(|scope| {
-        let one = |first: u64| {
-            let with_reference = &with_reference;
-            move || -> Vec<String> {
-                let seeds = (first..cases).step_by(threads);
-                let failures = seeds.map(orthogonal).filter_map(|case| {
-                    let how = failure(&case, with_reference(&case))?;
-                    Some(format!("{}{how}\n", case.to_text()))
-                });
-                let mut found: Vec<String> = failures.take(400).collect();
-                found.sort_by_key(String::len);
-                found
-            }
-        };
-        let running = [0, 1].map(|first| scope.spawn(one(first)));
-        running
-            .into_iter()
-            .flat_map(|thread| thread.join().expect("panics are caught"))
-            .collect()
-    });
-    let shown = wrong[..wrong.len().min(4)].join("\n");
-    assert!(wrong.is_empty(), "{} wrong\n{shown}", wrong.len());
-}
-
 #[test]
 fn agrees_with_the_kinetic_engine() {
-    check(count(20_000, 500), |_| false);
+    check_all((0..count(20_000, 500)).map(orthogonal), |case| {
+        failure(case, false).into_iter().collect()
+    });
 }
 
 #[test]
 fn agrees_with_the_reference() {
-    check(count(1500, 50), |case| case.size() <= 14);
+    check_all((0..count(1500, 50)).map(orthogonal), |case| {
+        failure(case, case.size() <= 14).into_iter().collect()
+    });
 }
 
 #[test]

@@ -233,6 +233,16 @@ fn nothing_depends_on_hash_order_or_clocks() {
     }
 }
 
+/// A library's powers and logarithms differ between platforms, and are not exact: `hipline_num::ldexp` and
+/// `exponent` are.
+#[test]
+fn powers_and_logarithms_are_exact() {
+    for folder in ["hipline/src", "hipline-num/src"] {
+        let words = [".powi(", ".powf(", ".log2()", ".log10()", ".ln()", ".exp("];
+        absent(folder, &words);
+    }
+}
+
 /// All but lists of tests.
 #[test]
 fn files_stay_small() {

@@ -15,88 +15,23 @@
 //!
 //! `HIPLINE_ONLY` names a part of an id; only such cases are compared then.
 
+mod field_support;
+
 use std::collections::{BTreeMap, BTreeSet};
-use std::path::PathBuf;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::thread;
 
+use field_support::builder;
 use hipline::{
-    Figure, FigureBuilder, Options, Region, Skeleton,
+    Figure, Options, Region, Skeleton,
     skeleton::{ArcKind, NodeKind},
 };
+use hipline_testkit::data;
 use serde_json::Value;
-
-fn folder() -> Option<PathBuf> {
-    let beside = || PathBuf::from(concat!(env!("CARGO_MANIFEST_DIR"), "/../../../shared/data"));
-    let path = std::env::var_os("HIPLINE_DATA").map_or_else(beside, PathBuf::from);
-    path.is_dir().then_some(path)
-}
-
-fn point(value: &Value) -> [f64; 2] {
-    [value[0].as_f64().expect("x"), value[1].as_f64().expect("y")]
-}
-
-fn points(value: &Value) -> Vec<[f64; 2]> {
-    value
-        .as_array()
-        .expect("points")
-        .iter()
-        .map(point)
-        .collect()
-}
-
-fn rings(value: &Value) -> Vec<Vec<[f64; 2]>> {
-    value
-        .as_array()
-        .expect("rings")
-        .iter()
-        .map(points)
-        .collect()
-}
 
 /// The figure of a feature.
 fn figure(feature: &Value) -> Option<Figure> {
-    let geometry = &feature["geometry"];
-    let coordinates = &geometry["coordinates"];
-    let mut builder = FigureBuilder::new();
-    match geometry["type"].as_str()? {
-        "Polygon" => {
-            let rings = rings(coordinates);
-            match feature["properties"]["edge_weights"].as_array() {
-                Some(lists) => {
-                    let speeds = lists
-                        .iter()
-                        .map(|list| {
-                            list.as_array()
-                                .expect("weights")
-                                .iter()
-                                .map(|w| w.as_f64().expect("a weight"))
-                                .collect()
-                        })
-                        .collect();
-                    builder.weighted_polygon(rings, speeds);
-                }
-                None => {
-                    builder.polygon(rings);
-                }
-            }
-        }
-        "MultiPolygon" => {
-            for polygon in coordinates.as_array()? {
-                builder.polygon(rings(polygon));
-            }
-        }
-        "MultiLineString" => {
-            for line in rings(coordinates) {
-                builder.polyline(line);
-            }
-        }
-        "LineString" => {
-            builder.polyline(points(coordinates));
-        }
-        _ => return None,
-    }
-    builder.build().ok()
+    builder(feature)?.build().ok()
 }
 
 fn whole_plane(figure: &Figure) -> Skeleton {
@@ -292,13 +227,8 @@ struct Case {
 
 fn cases(folder: &std::path::Path) -> Vec<Case> {
     let only = std::env::var("HIPLINE_ONLY").unwrap_or_default();
-    let entries = std::fs::read_dir(folder.join("expected")).expect("a folder");
-    let mut files: Vec<PathBuf> = entries
-        .map(|entry| entry.expect("an entry").path())
-        .collect();
-    files.sort();
     let mut cases = Vec::new();
-    for path in files {
+    for path in data::files(&folder.join("expected"), "jsonl") {
         let stem = path.file_stem().and_then(|s| s.to_str()).expect("a name");
         let mut expected = BTreeMap::new();
         for line in std::fs::read_to_string(&path).expect("text").lines() {
@@ -331,8 +261,7 @@ fn cases(folder: &std::path::Path) -> Vec<Case> {
 
 #[test]
 fn nodes_are_those_of_another_exact_program() {
-    let Some(folder) = folder() else {
-        println!("skipped: no shared/data beside the repository");
+    let Some(folder) = data::folder() else {
         return;
     };
     let cases = cases(&folder);

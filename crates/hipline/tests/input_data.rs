@@ -1,35 +1,13 @@
 //! The cases of the `shared/data` folder beside the repository, read in place.
 
-use std::{
-    collections::BTreeMap,
-    path::{Path, PathBuf},
-};
+mod field_support;
 
+use std::collections::BTreeMap;
+
+use field_support::builder;
 use hipline::{Figure, FigureBuilder, InvalidFigure};
+use hipline_testkit::data;
 use serde_json::Value;
-
-fn folder() -> Option<PathBuf> {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../../shared/data");
-    let folder = std::env::var_os("HIPLINE_DATA").map_or(folder, PathBuf::from);
-    folder.is_dir().then_some(folder)
-}
-
-fn list<T>(value: &Value, convert: impl FnMut(&Value) -> T) -> Vec<T> {
-    value
-        .as_array()
-        .expect("an array")
-        .iter()
-        .map(convert)
-        .collect()
-}
-
-fn point(value: &Value) -> [f64; 2] {
-    [0, 1].map(|axis| value[axis].as_f64().expect("a number"))
-}
-
-fn rings(value: &Value) -> Vec<Vec<[f64; 2]>> {
-    list(value, |ring| list(ring, point))
-}
 
 /// The points of a well-known text, in brackets of any depth: all that the four cases that
 /// GeoJSON cannot carry need.
@@ -57,55 +35,21 @@ fn rings_of_text(text: &str) -> Vec<Vec<[f64; 2]>> {
 }
 
 fn build(feature: &Value) -> Result<Figure, InvalidFigure> {
-    let mut builder = FigureBuilder::new();
-    let properties = &feature["properties"];
-    let geometry = &feature["geometry"];
-    let coordinates = &geometry["coordinates"];
-    match geometry["type"].as_str() {
-        None => {
-            builder.polygon(rings_of_text(
-                properties["raw_wkt"]
-                    .as_str()
-                    .expect("either a geometry or its text"),
-            ));
-        }
-        Some("Polygon") => {
-            let weights = &properties["edge_weights"];
-            if weights.is_array() {
-                let speeds = list(weights, |ring| {
-                    list(ring, |weight| weight.as_f64().expect("a number"))
-                });
-                builder.weighted_polygon(rings(coordinates), speeds);
-            } else {
-                builder.polygon(rings(coordinates));
-            }
-        }
-        Some("MultiPolygon") => list(coordinates, rings).into_iter().for_each(|rings| {
-            builder.polygon(rings);
-        }),
-        Some("MultiLineString") => rings(coordinates).into_iter().for_each(|line| {
-            builder.polyline(line);
-        }),
-        Some(other) => panic!("geometry of type {other}"),
-    }
+    let builder = builder(feature).unwrap_or_else(|| {
+        let text = feature["properties"]["raw_wkt"].as_str();
+        let mut builder = FigureBuilder::new();
+        builder.polygon(rings_of_text(text.expect("a geometry or its text")));
+        builder
+    });
     builder.build()
 }
 
 #[test]
 fn the_shared_cases_are_judged_as_they_expect() {
-    let Some(folder) = folder() else {
-        println!("skipped: there is no shared/data folder beside the repository");
+    let Some(folder) = data::folder() else {
         return;
     };
-    let mut files: Vec<PathBuf> = std::fs::read_dir(folder)
-        .expect("the folder can be read")
-        .map(|entry| entry.expect("the folder can be read").path())
-        .filter(|path| {
-            path.extension()
-                .is_some_and(|extension| extension == "geojson")
-        })
-        .collect();
-    files.sort();
+    let files = data::files(&folder, "geojson");
     let mut table: BTreeMap<String, [usize; 2]> = BTreeMap::new();
     let mut wrong = Vec::new();
     for file in files {

@@ -1,6 +1,7 @@
 //! Skeletons known by hand.
 
 use hipline::{Figure, FigureBuilder, Options, Region, Skeleton, skeleton::NodeKind};
+use hipline_testkit::generate::STRAIGHT_VERTICES;
 
 fn polygon(rings: &[&[[f64; 2]]]) -> Figure {
     let mut builder = FigureBuilder::new();
@@ -150,16 +151,7 @@ fn comb() {
 
 #[test]
 fn collinear_vertices() {
-    let figure = polygon(&[&[
-        [0.0, 0.0],
-        [2.0, 0.0],
-        [4.0, 0.0],
-        [6.0, 0.0],
-        [6.0, 4.0],
-        [6.0, 6.0],
-        [3.0, 6.0],
-        [0.0, 6.0],
-    ]]);
+    let figure = polygon(&[&STRAIGHT_VERTICES]);
     let skeleton = figure.skeleton(Options::default());
     assert_eq!(node_count(&skeleton), 6);
     whole_plane(&figure);

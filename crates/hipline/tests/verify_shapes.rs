@@ -1,6 +1,7 @@
 //! Skeletons of shapes full of coincidences pass their verification, in every region.
 
 use hipline::{Figure, FigureBuilder, Options, Region};
+use hipline_testkit::generate::STRAIGHT_VERTICES;
 
 type Ring = Vec<[f64; 2]>;
 
@@ -104,16 +105,7 @@ fn combs_and_stairs() {
 
 #[test]
 fn straight_vertices() {
-    check(&polygon(vec![vec![
-        [0.0, 0.0],
-        [2.0, 0.0],
-        [4.0, 0.0],
-        [6.0, 0.0],
-        [6.0, 4.0],
-        [6.0, 6.0],
-        [3.0, 6.0],
-        [0.0, 6.0],
-    ]]));
+    check(&polygon(vec![STRAIGHT_VERTICES.to_vec()]));
 }
 
 #[test]

@@ -14,7 +14,7 @@ use crate::{
         CentrelineArgs,
         OutputFormat::{self, Geojson, Png, Svg, Wkt},
     },
-    compute::{self, Computed, Watch, each, is_hopeless, report_errors},
+    compute::{self, Computed, Watch, each, is_hopeless, report_errors, skeletons_of},
     failure::{Failure, Outcome},
     input::{self, Item},
     output::{self, Target},
@@ -67,7 +67,7 @@ pub fn run(args: &CentrelineArgs) -> Result<Outcome, Failure> {
     }
     watch.lap("write");
     if args.compute.stats {
-        watch.print_stats(&skeletons(computed));
+        watch.print_stats(&skeletons_of(computed, |made| made.skeleton));
     }
     Ok(outcome)
 }
@@ -118,16 +118,4 @@ fn picture<'a>(computed: &'a [Computed<Lines>], args: &CentrelineArgs) -> Pictur
     }
     picture.layers(args.look.layers());
     picture
-}
-
-/// For the statistics.
-fn skeletons(computed: Vec<Computed<Lines>>) -> Vec<Computed> {
-    computed
-        .into_iter()
-        .map(|c| Computed {
-            name: c.name,
-            figure: c.figure,
-            result: c.result.map(|lines| lines.skeleton),
-        })
-        .collect()
 }

@@ -10,7 +10,7 @@ use crate::{
         OffsetArgs,
         OutputFormat::{self, Geojson, Png, Svg, Wkt},
     },
-    compute::{self, Computed, Watch, each, is_hopeless, report_errors},
+    compute::{self, Watch, each, is_hopeless, report_errors, skeletons_of},
     failure::{Failure, Outcome},
     input::{self, Item},
     output,
@@ -66,7 +66,7 @@ pub fn run(args: &OffsetArgs) -> Result<Outcome, Failure> {
     }
     watch.lap("write");
     if args.compute.stats {
-        watch.print_stats(&skeletons(computed));
+        watch.print_stats(&skeletons_of(computed, |made| made.skeleton));
     }
     Ok(outcome)
 }
@@ -101,16 +101,4 @@ fn distances(args: &OffsetArgs, skeleton: &Skeleton) -> Result<Vec<f64>, String>
         .map(multiple)
         .filter(|d| d.is_finite())
         .collect())
-}
-
-/// For the statistics.
-fn skeletons(computed: Vec<Computed<Offsets>>) -> Vec<Computed> {
-    computed
-        .into_iter()
-        .map(|c| Computed {
-            name: c.name,
-            figure: c.figure,
-            result: c.result.map(|o| o.skeleton),
-        })
-        .collect()
 }

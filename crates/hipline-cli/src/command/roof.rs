@@ -19,7 +19,7 @@ use crate::{
         OutputFormat::{self, Cityjson, Glb, Gltf, Obj, Ply, Png, Stl, Svg},
         RoofArgs, ShapeArg,
     },
-    compute::{Computed, Watch, each, empty, is_hopeless, report_errors},
+    compute::{Computed, Watch, each, empty, is_hopeless, report_errors, skeletons_of},
     failure::{Failure, Outcome, warn},
     input::{self, Item},
     output::{self, Target, picture_error},
@@ -80,7 +80,7 @@ pub fn run(args: &RoofArgs) -> Result<Outcome, Failure> {
     }
     watch.lap("write");
     if args.stats {
-        watch.print_stats(&skeletons(computed));
+        watch.print_stats(&skeletons_of(computed, |made| made.skeleton));
     }
     Ok(outcome)
 }
@@ -212,18 +212,6 @@ fn with_walls(figure: &Figure, options: &RoofOptions, mesh: &Mesh) -> Option<Mes
         ..options.clone()
     };
     figure.roof(&raised).ok()
-}
-
-/// For the statistics.
-fn skeletons(computed: Vec<Computed<House>>) -> Vec<Computed> {
-    computed
-        .into_iter()
-        .map(|c| Computed {
-            name: c.name,
-            figure: c.figure,
-            result: c.result.map(|house| house.skeleton),
-        })
-        .collect()
 }
 
 fn write(

@@ -15,6 +15,7 @@ pub use family::Family;
 pub use monotone::{chain_small, monotone_large, monotone_small, monotone_weighted};
 pub use orthogonal::{Columns, columns, orthogonal, subdivide};
 pub use random::Random;
+pub use shapes::STRAIGHT_VERTICES;
 pub use small::{Kind, small, small_of, weigh};
 pub use tight::tight;
 pub use weighted::{Weights, change_speeds, small_weighted};

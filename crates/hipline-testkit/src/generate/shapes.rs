@@ -3,6 +3,18 @@
 use super::grid::{Point, edges, is_simple};
 use super::random::Random;
 
+/// A square with straight vertices on all its edges but one.
+pub const STRAIGHT_VERTICES: [[f64; 2]; 8] = [
+    [0.0, 0.0],
+    [2.0, 0.0],
+    [4.0, 0.0],
+    [6.0, 0.0],
+    [6.0, 4.0],
+    [6.0, 6.0],
+    [3.0, 6.0],
+    [0.0, 6.0],
+];
+
 /// A letter, comb or the like with random proportions; sometimes with extra points on its edges
 /// or sheared.
 pub(super) fn shape(random: &mut Random) -> Vec<Point> {

@@ -8,6 +8,7 @@ use std::path::{Path, PathBuf};
 use hipline::{Options, Region, Skeleton};
 use hipline_testkit::Case;
 use hipline_testkit::case::{Part, Points};
+use hipline_testkit::data;
 use serde_json::Value;
 
 /// Fewer in debug builds, where everything takes some twenty times as long.
@@ -35,20 +36,11 @@ pub fn repository() -> PathBuf {
 /// Polygons from the field with so many vertices at most, a few of each collection; none where
 /// the data is absent (it does not belong to the repository).
 pub fn field(most: usize, each: usize) -> Vec<Case> {
-    let beside = || repository().join("../shared/data");
-    let folder = std::env::var_os("HIPLINE_DATA").map_or_else(beside, PathBuf::from);
-    let Ok(entries) = fs::read_dir(&folder) else {
-        println!("skipped: no data from the field here");
+    let Some(folder) = data::folder() else {
         return Vec::new();
     };
-    let mut files: Vec<PathBuf> = entries
-        .map(|entry| entry.expect("an entry").path())
-        .collect();
-    files.retain(|file| {
-        let small = fs::metadata(file).is_ok_and(|data| data.len() < 4_000_000);
-        small && file.extension().is_some_and(|ending| ending == "geojson")
-    });
-    files.sort();
+    let mut files = data::files(&folder, "geojson");
+    files.retain(|file| fs::metadata(file).is_ok_and(|data| data.len() < 4_000_000));
     let mut cases = Vec::new();
     for file in files {
         let text = fs::read_to_string(&file).expect("text");

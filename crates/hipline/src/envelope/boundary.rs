@@ -65,16 +65,21 @@ pub(super) struct Cell {
     pub is_late: bool,
 }
 
+/// Bounds of where edges start.
+pub(super) fn frame<'a>(edges: impl IntoIterator<Item = &'a Edge>) -> [[f64; 2]; 2] {
+    let mut frame = [[f64::INFINITY, f64::NEG_INFINITY]; 2];
+    for edge in edges {
+        for (own, other) in frame.iter_mut().zip(edge.from.frame) {
+            *own = [own[0].min(other[0]), own[1].max(other[1])];
+        }
+    }
+    frame
+}
+
 impl Cell {
     /// Bounds of the cell.
     pub(super) fn frame(&self) -> [[f64; 2]; 2] {
-        let mut frame = [[f64::INFINITY, f64::NEG_INFINITY]; 2];
-        for edge in &self.edges {
-            for (own, other) in frame.iter_mut().zip(edge.from.frame) {
-                *own = [own[0].min(other[0]), own[1].max(other[1])];
-            }
-        }
-        frame
+        frame(&self.edges)
     }
 
     /// Where the valleys of which motorcycles enter it.

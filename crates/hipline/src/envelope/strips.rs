@@ -2,7 +2,7 @@
 
 use super::{
     Envelope,
-    boundary::{Cell, Edge, Kind, NONE, Node},
+    boundary::{Cell, Edge, Kind, NONE, Node, frame},
     section::{Cut, Mark},
 };
 use crate::predicates::{CellCorner, Line, Place, Spot as Point, Station};
@@ -416,13 +416,7 @@ impl Envelope<'_> {
         node: &Node,
     ) -> Option<usize> {
         let frames = outer.iter().map(|&c| {
-            let mut frame = [[f64::INFINITY, f64::NEG_INFINITY]; 2];
-            for &i in &cycles[c] {
-                let other = &half.edges[i as usize].from.frame;
-                for (own, other) in frame.iter_mut().zip(other) {
-                    *own = [own[0].min(other[0]), own[1].max(other[1])];
-                }
-            }
+            let frame = frame(cycles[c].iter().map(|&i| &half.edges[i as usize]));
             (0..2).all(|k| frame[k][0] <= node.frame[k][1] && node.frame[k][0] <= frame[k][1])
         });
         let near: Vec<usize> = (frames.enumerate().filter(|(_, is)| *is))

@@ -1,8 +1,9 @@
 //! From polygons, polylines and graphs to a checked figure.
 
 use super::{
-    Change, Figure, Flaw, InvalidFigure, Place, change::Changes, crossing, gather, height,
-    height::Heights, nesting, range::Scale, single, triangulate,
+    Change, Figure, Flaw, InvalidFigure, Place, change::Changes, crossing, gather,
+    gather::without_closing_point, height, height::Heights, nesting, range::Scale, single,
+    triangulate,
 };
 
 /// Collects polygons, polylines and graphs, then checks them all at once.
@@ -53,6 +54,23 @@ pub(super) enum Part {
         edges: Vec<[usize; 2]>,
         speeds: Option<Vec<[f64; 2]>>,
     },
+}
+
+impl Part {
+    /// How many vertices and edges a ring has; what is no polygon has one.
+    pub(super) fn counts(&self, ring: usize) -> [usize; 2] {
+        match self {
+            Self::Polygon { rings, .. } => {
+                let ring = rings.get(ring).map(|ring| without_closing_point(ring));
+                [ring.map_or(0, <[_]>::len); 2]
+            }
+            _ if ring != 0 => [0; 2],
+            Self::Line { points, .. } => [points.len(), points.len().saturating_sub(1)],
+            Self::Graph {
+                vertices, edges, ..
+            } => [vertices.len(), edges.len()],
+        }
+    }
 }
 
 impl FigureBuilder {

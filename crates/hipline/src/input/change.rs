@@ -137,14 +137,6 @@ impl Changes {
 
 /// Whether the caller gave an edge of this name.
 fn is_edge(parts: &[Part], place: Place) -> bool {
-    let count = match parts.get(place.part) {
-        None => 0,
-        Some(Part::Polygon { rings, .. }) => rings
-            .get(place.ring)
-            .map_or(0, |ring| super::gather::without_closing_point(ring).len()),
-        Some(_) if place.ring != 0 => 0,
-        Some(Part::Line { points, .. }) => points.len().saturating_sub(1),
-        Some(Part::Graph { edges, .. }) => edges.len(),
-    };
-    place.index < count
+    let counts = parts.get(place.part).map(|part| part.counts(place.ring));
+    counts.is_some_and(|[_, edges]| place.index < edges)
 }

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use dashu_int::{IBig, ops::UnsignedAbs};
-use hipline_num::f64_to_parts;
+use hipline_num::{common_unit, in_units};
 
 use super::{Edge, Flaw, Place, SpeedChange, builder::Part};
 use crate::topology::VertexId;
@@ -71,16 +71,8 @@ impl Heights {
 
 /// Whether the caller gave a vertex of this name.
 fn is_vertex(parts: &[Part], at: Place) -> bool {
-    let count = match parts.get(at.part) {
-        None => 0,
-        Some(Part::Polygon { rings, .. }) => rings
-            .get(at.ring)
-            .map_or(0, |ring| super::gather::without_closing_point(ring).len()),
-        Some(_) if at.ring != 0 => 0,
-        Some(Part::Line { points, .. }) => points.len(),
-        Some(Part::Graph { vertices, .. }) => vertices.len(),
-    };
-    at.index < count
+    let counts = parts.get(at.part).map(|part| part.counts(at.ring));
+    counts.is_some_and(|[vertices, _]| at.index < vertices)
 }
 
 /// Checks the edges whose ends have heights: their facets must be steeper than they, and
@@ -124,17 +116,8 @@ pub(super) fn check(
 
 /// Numbers as integers over a common power of two, and its exponent.
 fn integers<const N: usize>(numbers: [f64; N]) -> ([IBig; N], i32) {
-    let parts = numbers.map(f64_to_parts);
-    let used = parts.iter().filter(|(mantissa, _)| *mantissa != IBig::ZERO);
-    let unit = used.map(|part| part.1).min().unwrap_or(0);
-    let scaled = parts.map(|(mantissa, exponent)| {
-        if mantissa == IBig::ZERO {
-            mantissa
-        } else {
-            mantissa << (exponent - unit) as usize
-        }
-    });
-    (scaled, unit)
+    let (unit, _) = common_unit(numbers);
+    (numbers.map(|x| in_units(x, unit)), unit)
 }
 
 /// Whether an edge rises as steeply as a facet of its speed would, or more.

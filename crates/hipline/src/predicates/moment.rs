@@ -211,6 +211,14 @@ impl Bounds {
         high: 0.0,
     };
 
+    /// Those of a double-double, if it has any.
+    pub(super) fn of(t: &BallDd) -> Option<Self> {
+        t.error().is_finite().then(|| Self {
+            low: t.lower(),
+            high: t.upper(),
+        })
+    }
+
     /// Those of a ball, if they are close.
     #[inline]
     fn narrow(t: &Ball) -> Option<Self> {
@@ -316,13 +324,9 @@ impl Planes {
             return bounds;
         }
         let g = area::<BallDd>(self, corners);
-        match dd_root::falling_root(&g) {
-            Some(t) => Bounds {
-                low: t.lower(),
-                high: t.upper(),
-            },
-            None => root_bounds(&g),
-        }
+        let near = dd_root::falling_root(&g);
+        let bounds = near.and_then(|t| Bounds::of(&t));
+        bounds.unwrap_or_else(|| root_bounds(&g))
     }
 
     /// Bounds of a meeting whose N and D are known roughly.
@@ -344,18 +348,10 @@ impl Planes {
             return bounds;
         }
         let (n, d) = meeting::<BallDd>(self, triple);
-        let t = n.negated().div(&d);
-        if t.error().is_finite() {
-            Bounds {
-                low: t.lower(),
-                high: t.upper(),
-            }
-        } else {
-            Bounds {
-                low: 0.0,
-                high: f64::INFINITY,
-            }
-        }
+        Bounds::of(&n.negated().div(&d)).unwrap_or(Bounds {
+            low: 0.0,
+            high: f64::INFINITY,
+        })
     }
 
     /// Which of two moments comes first, if exact numbers of a fixed width can tell?

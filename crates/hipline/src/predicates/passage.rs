@@ -125,11 +125,7 @@ impl Question for Away {
     fn ask<T: Rung>(&self, planes: &Planes) -> Option<Sign> {
         let path = Path::<T>::new(planes, self.0);
         let plane = T::plane(planes, self.1);
-        plane
-            .a
-            .times(&path.x[1])
-            .plus(&plane.b.times(&path.y[1]))
-            .sign()
+        plane.away(&path.x[1], &path.y[1]).sign()
     }
 }
 
@@ -261,15 +257,7 @@ impl Planes {
         if near.error() <= near.value().abs() / f64::from(1 << 30) {
             return bounds(&near);
         }
-        let t = self.near_time(place);
-        if t.error().is_finite() {
-            Bounds {
-                low: t.lower(),
-                high: t.upper(),
-            }
-        } else {
-            EVER
-        }
+        Bounds::of(&self.near_time(place)).unwrap_or(EVER)
     }
 
     /// The time of a place that is none of a ghost arc, in double-doubles; of 400 digits where paths are so nearly

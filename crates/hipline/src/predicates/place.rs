@@ -1,9 +1,8 @@
 //! Places of nodes: their definitions, their order along an edge, their rounded coordinates.
 
-use dashu_int::IBig;
 use hipline_num::{
-    BallDd, Fixed, Integer, Limbs, Number, Sign, Surd, compare_quotient_f64, f64_to_parts,
-    round_ball_dd_plus, round_fixed_plus, round_quotient_plus,
+    BallDd, Fixed, Integer, Limbs, Number, Sign, Surd, compare_quotient_f64, in_units,
+    power_of_two, round_ball_dd_plus, round_fixed_plus, round_quotient_plus,
 };
 use std::cmp::Ordering;
 
@@ -89,20 +88,13 @@ pub(super) fn input<T: Rung>(planes: &Planes, [x, y]: [f64; 2]) -> Point<T> {
         let back = x - d;
         let is_exact = back.total_cmp(&origin).is_eq() && (d + back).total_cmp(&x).is_eq();
         if is_exact && planes.shift == 0 && planes.unit.abs() < 512 {
-            let scaled = d * 2.0_f64.powi(-planes.unit);
+            let scaled = d * power_of_two(-planes.unit);
             if scaled.abs() < (1_i64 << 53) as f64 {
                 return T::from_i64(scaled as i64);
             }
         }
-        let scaled = |x: f64| {
-            let (mantissa, exponent) = f64_to_parts(x);
-            if mantissa == IBig::ZERO {
-                mantissa
-            } else {
-                mantissa << (exponent - planes.unit) as usize
-            }
-        };
-        T::integer(&(scaled(x) - scaled(origin)), planes.shift)
+        let difference = in_units(x, planes.unit) - in_units(origin, planes.unit);
+        T::integer(&difference, planes.shift)
     };
     Point {
         x: coordinate(x, planes.origin[0]),
@@ -149,14 +141,13 @@ pub(super) fn point<T: Rung>(planes: &Planes, place: &Place) -> Point<T> {
             let plane = T::plane(planes, plane);
             // The coordinate of the start along the edge is p / q.
             let start = point::<T>(planes, &start.into());
-            let p = along(&plane.a, &plane.b, &start);
+            let p = plane.along(&start.x, &start.y);
             let q = start.w;
             match bound {
                 Bound::Pair(pair) => {
                     // On the arc that coordinate is (u0 + u1 t) / m.
                     let Path { x, y, m } = Path::<T>::new(planes, pair);
-                    let [u0, u1] =
-                        [0, 1].map(|k| plane.b.times(&x[k]).minus(&plane.a.times(&y[k])));
+                    let [u0, u1] = [0, 1].map(|k| plane.along(&x[k], &y[k]));
                     let time = p.times(&m).minus(&u0.times(&q));
                     let since = u1.times(&q);
                     let at = |z: &[T; 2]| z[0].times(&since).plus(&z[1].times(&time));
@@ -192,11 +183,6 @@ fn above<T: Number>(plane: &Plane<T>, p: &T, q: &T, [time, since]: [T; 2]) -> Po
     }
 }
 
-/// The coordinate along an edge with normal (a, b), times the point's w.
-fn along<T: Number>(a: &T, b: &T, point: &Point<T>) -> T {
-    b.times(&point.x).minus(&a.times(&point.y))
-}
-
 /// Which coordinate of places to compare.
 #[derive(Clone, Copy)]
 enum Key {
@@ -217,7 +203,7 @@ impl Question for Order<'_> {
         let split = |p: Point<T>| match self.2 {
             Key::Along(plane) => {
                 let plane = T::plane(planes, plane);
-                (along(&plane.a, &plane.b, &p), p.w)
+                (plane.along(&p.x, &p.y), p.w)
             }
             Key::Time => (p.time, p.since),
             Key::X => (p.x, p.w),
@@ -235,11 +221,7 @@ impl Question for Drift {
     fn ask<T: Rung>(&self, planes: &Planes) -> Option<Sign> {
         let path = Path::<T>::new(planes, self.0);
         let plane = T::plane(planes, self.1);
-        plane
-            .b
-            .times(&path.x[1])
-            .minus(&plane.a.times(&path.y[1]))
-            .sign()
+        plane.along(&path.x[1], &path.y[1]).sign()
     }
 }
 
@@ -253,10 +235,7 @@ impl Question for Drifts {
             None => (T::zero(), T::from_i64(1)),
             Some(pair) => {
                 let path = Path::<T>::new(planes, pair);
-                (
-                    plane.b.times(&path.x[1]).minus(&plane.a.times(&path.y[1])),
-                    path.m,
-                )
+                (plane.along(&path.x[1], &path.y[1]), path.m)
             }
         });
         Some(u.times(&n).minus(&v.times(&m)).sign()? * m.sign()? * n.sign()?)
@@ -270,9 +249,9 @@ impl Question for Beside<'_> {
     fn ask<T: Rung>(&self, planes: &Planes) -> Option<Sign> {
         let path = Path::<T>::new(planes, self.0);
         let plane = T::plane(planes, self.2);
-        let u = plane.b.times(&path.x[0]).minus(&plane.a.times(&path.y[0]));
+        let u = plane.along(&path.x[0], &path.y[0]);
         let place = point::<T>(planes, self.1);
-        let p = along(&plane.a, &plane.b, &place);
+        let p = plane.along(&place.x, &place.y);
         Some(u.times(&place.w).minus(&p.times(&path.m)).sign()? * place.w.sign()?)
     }
 }
@@ -290,11 +269,7 @@ impl Question for Ahead<'_> {
             since,
         } = point::<T>(planes, self.0);
         let plane = T::plane(planes, self.1);
-        let reach = plane
-            .a
-            .times(&x)
-            .plus(&plane.b.times(&y))
-            .minus(&plane.c.times(&w));
+        let reach = plane.reach([&x, &y, &w]);
         let value = reach.times(&since).minus(&plane.s.times(&time).times(&w));
         Some(value.sign()? * w.sign()? * since.sign()?)
     }

@@ -34,11 +34,7 @@ impl Curve for Heading {
     fn coefficients<T: Rung>(&self, planes: &Planes) -> Option<Quadratic<T>> {
         let plane = T::plane(planes, self.0);
         let [dx, dy] = self.1.vector().map(T::from_i64);
-        Some([
-            plane.a.times(&dx).plus(&plane.b.times(&dy)),
-            T::zero(),
-            T::zero(),
-        ])
+        Some([plane.away(&dx, &dy), T::zero(), T::zero()])
     }
 }
 

@@ -4,13 +4,13 @@
 //! lines cross, and on which side of a third one that is, are signs of polynomials. Nothing is computed from such a crossing.
 
 use dashu_int::IBig;
-use hipline_num::{Ball, Sign};
+use hipline_num::{Ball, Sign, ldexp};
 use std::{cmp::Ordering, sync::Arc};
 
 use super::{
     decide::Question,
     planes::{PlaneId, Planes, Rung},
-    station::{Station, Track, line},
+    station::{Station, Track, line, side},
 };
 
 /// A line of the plan, directed: its left is positive.
@@ -41,7 +41,7 @@ fn numbers<T: Rung>(planes: &Planes, of: &Line) -> ([T; 3], Option<Sign>) {
         Line::Down(plane, at) => {
             let plane = T::plane(planes, *plane);
             let [x, y, w] = at.numbers::<T>(planes);
-            let z = plane.b.times(&x).minus(&plane.a.times(&y));
+            let z = plane.along(&x, &y);
             (
                 [plane.b.times(&w), plane.a.negated().times(&w), z],
                 Some(Sign::Positive),
@@ -75,10 +75,7 @@ struct Beside<'a>(&'a CellCorner, &'a Line);
 
 impl Question for Beside<'_> {
     fn ask<T: Rung>(&self, planes: &Planes) -> Option<Sign> {
-        let [x, y, w] = point::<T>(planes, self.0);
-        let ([u, v, z], sign) = numbers::<T>(planes, self.1);
-        let value = u.times(&x).plus(&v.times(&y)).minus(&z.times(&w));
-        Some(value.sign()? * w.sign()? * sign?)
+        side(&point::<T>(planes, self.0), &numbers::<T>(planes, self.1))
     }
 }
 
@@ -167,15 +164,15 @@ impl Planes {
     /// Bounds of the coordinates of a corner, in the input's units.
     pub(crate) fn bounds_of(&self, corner: &CellCorner) -> [[f64; 2]; 2] {
         let [x, y, w] = point::<Ball>(self, corner);
-        let unit = 2.0_f64.powi(self.unit + self.shift);
+        let scaled = |x: f64| ldexp(x, self.unit + self.shift);
         [(x, 0), (y, 1)].map(|(p, axis)| {
             let at = p.div(&w);
             if !at.error().is_finite() {
                 return [f64::NEG_INFINITY, f64::INFINITY];
             }
             let origin = self.origin[axis];
-            let low = ((at.lower() * unit).next_down() + origin).next_down();
-            let high = ((at.upper() * unit).next_up() + origin).next_up();
+            let low = (scaled(at.lower()).next_down() + origin).next_down();
+            let high = (scaled(at.upper()).next_up() + origin).next_up();
             if low.is_finite() && high.is_finite() {
                 [low, high]
             } else {

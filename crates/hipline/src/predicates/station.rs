@@ -7,7 +7,10 @@
 //! of the input, whatever events made the arc.
 
 use dashu_int::IBig;
-use hipline_num::{BallDd, Sign, Surd, f64_to_parts, round_ball_dd_plus, round_quotient_plus};
+use hipline_num::{
+    BallDd, Sign, Surd, common_unit, in_units, power_of_two, round_ball_dd_plus,
+    round_quotient_plus,
+};
 use std::cmp::Ordering;
 
 use super::{
@@ -31,16 +34,12 @@ pub(crate) struct Station {
 impl Station {
     /// The point with finite coordinates.
     pub(crate) fn new(planes: &Planes, [x, y]: [f64; 2]) -> Self {
-        let parts = [x, y, planes.origin[0], planes.origin[1]].map(f64_to_parts);
-        let set = parts.iter().filter(|(mantissa, _)| *mantissa != IBig::ZERO);
-        let unit = set.map(|&(_, e)| e).fold(planes.unit, i32::min);
-        let [x, y, u, v] = parts.map(|(mantissa, exponent)| {
-            if mantissa == IBig::ZERO {
-                mantissa
-            } else {
-                mantissa << (exponent - unit) as usize
-            }
-        });
+        let parts = [x, y, planes.origin[0], planes.origin[1]];
+        let unit = match common_unit(parts) {
+            (unit, digits) if digits > 0 => unit.min(planes.unit),
+            _ => planes.unit,
+        };
+        let [x, y, u, v] = parts.map(|x| in_units(x, unit));
         let (x, y) = (x - u, y - v);
         let w = IBig::ONE << (planes.unit - unit) as usize;
         let small = small([&x, &y, &w]);
@@ -97,15 +96,6 @@ pub(crate) enum Track {
     Level(PlaneId, f64),
 }
 
-/// `a x + b y - c w`: how far a point is ahead of a plane's edge, times its length and w.
-fn reach<T: Rung>(plane: &Plane<T>, [x, y, w]: &[T; 3]) -> T {
-    plane
-        .a
-        .times(x)
-        .plus(&plane.b.times(y))
-        .minus(&plane.c.times(w))
-}
-
 /// `[u, v, z]` of the line `u x + v y = z`, such that `u x + v y - z` has the sign of the
 /// track's sides, but for the sign that comes second.
 pub(super) fn line<T: Rung>(planes: &Planes, track: &Track) -> ([T; 3], Option<Sign>) {
@@ -128,14 +118,14 @@ pub(super) fn line<T: Rung>(planes: &Planes, track: &Track) -> ([T; 3], Option<S
             let plane = T::plane(planes, *plane);
             let start = point::<T>(planes, start);
             let (u, v) = (plane.b.times(&start.w), plane.a.negated().times(&start.w));
-            let z = plane.b.times(&start.x).minus(&plane.a.times(&start.y));
+            let z = plane.along(&start.x, &start.y);
             ([u, v, z], start.w.sign())
         }
         Track::Along(plane, start) => {
             let plane = T::plane(planes, *plane);
             let start = point::<T>(planes, start);
             let (u, v) = (plane.a.times(&start.w), plane.b.times(&start.w));
-            let z = plane.a.times(&start.x).plus(&plane.b.times(&start.y));
+            let z = plane.away(&start.x, &start.y);
             ([u, v, z], start.w.sign())
         }
         Track::Level(plane, time) => {
@@ -150,15 +140,21 @@ pub(super) fn line<T: Rung>(planes: &Planes, track: &Track) -> ([T; 3], Option<S
     }
 }
 
+/// On which side of a line a point `[x, y, w]` is.
+pub(super) fn side<T: Rung>(
+    [x, y, w]: &[T; 3],
+    ([u, v, z], sign): &([T; 3], Option<Sign>),
+) -> Option<Sign> {
+    let value = u.times(x).plus(&v.times(y)).minus(&z.times(w));
+    Some(value.sign()? * w.sign()? * (*sign)?)
+}
+
 /// On which side of a track a point is.
 struct Beside<'a>(Spot<'a>, &'a Track);
 
 impl Question for Beside<'_> {
     fn ask<T: Rung>(&self, planes: &Planes) -> Option<Sign> {
-        let [x, y, w] = spot::<T>(planes, self.0);
-        let ([u, v, z], sign) = line::<T>(planes, self.1);
-        let value = u.times(&x).plus(&v.times(&y)).minus(&z.times(&w));
-        Some(value.sign()? * w.sign()? * sign?)
+        side(&spot::<T>(planes, self.0), &line::<T>(planes, self.1))
     }
 }
 
@@ -181,7 +177,7 @@ impl Question for Apart<'_> {
             Axis::Y => d(1),
             Axis::Along(plane) => {
                 let plane = T::plane(planes, plane);
-                plane.b.times(&d(0)).minus(&plane.a.times(&d(1)))
+                plane.along(&d(0), &d(1))
             }
         };
         Some(value.sign()? * p[2].sign()? * q[2].sign()?)
@@ -249,14 +245,14 @@ fn landing<T: Rung>(planes: &Planes, from: Spot, plane: PlaneId, track: &Track) 
     let [x, y, w] = spot::<T>(planes, from);
     let ([u, v, z], _) = line::<T>(planes, track);
     // On it, b x - a y = p / w.
-    let p = plane.b.times(&x).minus(&plane.a.times(&y));
+    let p = plane.along(&x, &y);
     let det = u.times(&plane.a).plus(&v.times(&plane.b));
     let at = [
         z.times(&plane.a).times(&w).plus(&v.times(&p)),
         z.times(&plane.b).times(&w).minus(&u.times(&p)),
         det.times(&w),
     ];
-    let time = reach(&plane, &at);
+    let time = plane.reach(at.each_ref());
     let since = plane.s.times(&at[2]);
     let [x, y, w] = at;
     [x, y, w, time, since]
@@ -307,7 +303,7 @@ impl Planes {
         fn parts<T: Rung>(planes: &Planes, at: &Station, plane: PlaneId) -> [T; 2] {
             let plane = T::plane(planes, plane);
             let at = spot::<T>(planes, Spot::Station(at));
-            [reach(&plane, &at), plane.s.times(&at[2])]
+            [plane.reach(at.each_ref()), plane.s.times(&at[2])]
         }
         let [p, q] = parts::<BallDd>(self, at, plane);
         round_ball_dd_plus(&p, &q, self.rough_time_unit(), 0.0).unwrap_or_else(|| {
@@ -354,8 +350,8 @@ impl Planes {
 /// underflows is far below the bound.
 pub(crate) fn rough_side(p: [f64; 2], q: [f64; 2], r: [f64; 2]) -> Option<Sign> {
     const SLACK: f64 = 1.0 / (1_u64 << 46) as f64;
-    const LARGE: f64 = f64::from_bits((1023 + 400) << 52);
-    const SMALL: f64 = f64::from_bits((1023 - 400) << 52);
+    const LARGE: f64 = power_of_two(400);
+    const SMALL: f64 = power_of_two(-400);
     let size = [p, q, r]
         .iter()
         .flatten()

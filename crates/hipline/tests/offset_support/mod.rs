@@ -2,6 +2,7 @@
 #![allow(dead_code, reason = "each test uses a part")]
 
 use hipline::{Figure, FigureBuilder};
+use hipline_testkit::data;
 pub use hipline_testkit::measure::area;
 use serde_json::Value;
 use std::path::PathBuf;
@@ -58,32 +59,19 @@ fn points(value: &Value) -> Vec<[f64; 2]> {
         .collect()
 }
 
-fn folder() -> PathBuf {
-    let beside = concat!(env!("CARGO_MANIFEST_DIR"), "/../../../shared/data");
-    std::env::var_os("HIPLINE_DATA").map_or_else(|| beside.into(), PathBuf::from)
-}
-
-/// The names of all files of the data, sorted; none where they are not there.
+/// The names of all files of the data, in order; none where they are not there.
 pub fn stems() -> Vec<String> {
-    let Ok(entries) = std::fs::read_dir(folder()) else {
-        return Vec::new();
-    };
-    let names = entries.map(|entry| entry.expect("an entry").file_name());
-    let mut stems: Vec<String> = names
-        .filter_map(|name| Some(name.to_str()?.strip_suffix(".geojson")?.to_owned()))
-        .collect();
-    stems.sort();
-    stems
+    let files = data::folder().map_or_else(Vec::new, |folder| data::files(&folder, "geojson"));
+    let stem = |file: &PathBuf| Some(file.file_stem()?.to_str()?.to_owned());
+    files.iter().filter_map(stem).collect()
 }
 
 /// The valid polygons with at most so many vertices, by name, of some files; nothing where
 /// the data are not there. They lie beside the repository, or where `HIPLINE_DATA` says.
 pub fn polygons(stems: &[&str], limit: usize) -> Vec<(String, Figure, f64)> {
-    let folder = folder();
-    if !folder.is_dir() {
-        println!("skipped: no shared/data beside the repository");
+    let Some(folder) = data::folder() else {
         return Vec::new();
-    }
+    };
     let mut list = Vec::new();
     for stem in stems {
         let text = std::fs::read_to_string(folder.join(format!("{stem}.geojson"))).expect("text");

@@ -6,6 +6,7 @@ use crate::{
     skeleton::{Arc, ArcKind, Node, NodeKind, Side},
     topology::{ArcId, EdgeId, FaceId, NodeId, VertexId},
 };
+use hipline_testkit::generate::STRAIGHT_VERTICES;
 
 type Ring = Vec<[f64; 2]>;
 
@@ -40,19 +41,6 @@ fn rectangle() -> Ring {
 /// A straight vertex right below the end of the rectangle's ridge.
 fn rectangle_with(x: f64) -> Ring {
     vec![[0.0, 0.0], [x, 0.0], [8.0, 0.0], [8.0, 4.0], [0.0, 4.0]]
-}
-
-fn straight_vertices() -> Ring {
-    vec![
-        [0.0, 0.0],
-        [2.0, 0.0],
-        [4.0, 0.0],
-        [6.0, 0.0],
-        [6.0, 4.0],
-        [6.0, 6.0],
-        [3.0, 6.0],
-        [0.0, 6.0],
-    ]
 }
 
 /// Even numbers from a fixed seed.
@@ -106,7 +94,7 @@ fn samples() -> Vec<(Figure, Region)> {
         (polygon(&[square()]), Region::Interior),
         (polygon(&[rectangle()]), Region::Both),
         (polygon(&[rectangle_with(2.0)]), Region::Interior),
-        (polygon(&[straight_vertices()]), Region::Both),
+        (polygon(&[STRAIGHT_VERTICES.to_vec()]), Region::Both),
         (polygon(&ring_with_hole), Region::Interior),
         (polygon(&ring_with_hole), Region::Exterior),
         (polygon(&[l_shape]), Region::Both),

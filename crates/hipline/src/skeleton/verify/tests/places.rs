@@ -27,13 +27,17 @@ fn nodes_must_be_on_all_planes() {
     });
     assert_found!(found, Violation::OffPlane { .. });
     // Without its ghost arc the foot of one is not determined.
-    let found = after(&polygon(&[straight_vertices()]), Region::Interior, |s| {
-        for arc in &mut s.arcs {
-            if arc.kind == ArcKind::Ghost {
-                arc.kind = ArcKind::Ridge;
+    let found = after(
+        &polygon(&[STRAIGHT_VERTICES.to_vec()]),
+        Region::Interior,
+        |s| {
+            for arc in &mut s.arcs {
+                if arc.kind == ArcKind::Ghost {
+                    arc.kind = ArcKind::Ridge;
+                }
             }
-        }
-    });
+        },
+    );
     assert_found!(found, Violation::Undetermined { .. });
 }
 
