@@ -42,6 +42,7 @@ pub fn usual() -> Vec<Input> {
         Family::Regular,
         Family::Snowflake,
         Family::Comb,
+        Family::Apse,
     ];
     families
         .into_iter()
@@ -86,7 +87,8 @@ impl Input {
                 | Family::Convex
                 | Family::Regular
                 | Family::Snowflake
-                | Family::Comb,
+                | Family::Comb
+                | Family::Apse,
             ) => Some(20.0),
             _ => None,
         }
