@@ -145,9 +145,11 @@ pub(super) fn encounter(field: &Field, i: u32, j: u32, window: Window, found: &m
     }
 }
 
-/// Whether bounds are as close as those that f64 gives as a rule.
+/// Whether bounds are as close as those that f64 gives as a rule. Infinite ones are not: who gets somewhere at any time at
+/// all would have to be settled together with all others.
 fn is_narrow(t: Bounds) -> bool {
-    t.high - t.low <= t.high.max(-t.low) / f64::from(1 << 30)
+    let width = t.high - t.low;
+    width.is_finite() && width <= t.high.max(-t.low) / f64::from(1 << 30)
 }
 
 /// Two motorcycles whose paths are parallel.
