@@ -286,6 +286,20 @@ fn tiny_and_huge_figures_have_the_same_graphs() {
     assert!(seen > 100);
 }
 
+#[test]
+fn flat_figures_agree_with_all_pairs() {
+    let mut seen = 0;
+    for seed in 0..count(600, 20) {
+        let kind = Kind::POLYGONS[seed as usize % Kind::POLYGONS.len()];
+        let case = small_of(kind, 3_000_000 + seed);
+        for powers in [[0, -100], [-1064, -964], [-964, -1064], [900, 800]] {
+            seen += u64::from(agrees(&stretched(&case, powers)));
+        }
+    }
+    println!("{seen} with motorcycles");
+    assert!(seen > 40);
+}
+
 fn of_ring(ring: &[[f64; 2]]) -> MotorcycleGraph {
     let polygon = hipline::Polygon::new([ring.to_vec()]).expect("a ring");
     polygon.figure().motorcycles().expect("a polygon")

@@ -111,6 +111,7 @@ impl<'a> Cells<'a> {
         let bounds = Extent::around(places);
         let tree::Built {
             nodes,
+            lines,
             cells,
             walls,
         } = tree::build(
@@ -128,7 +129,7 @@ impl<'a> Cells<'a> {
             cells: cells.collect(),
             standing,
             nodes,
-            lines: Vec::new(),
+            lines,
             walls,
             riders: Lists::default(),
             ahead: Lists::default(),
@@ -380,18 +381,7 @@ impl<'a> Cells<'a> {
             };
             self.nodes.push(Node::Cell(place));
         }
-        self.nodes[node as usize] = match line.axis() {
-            Some(axis) => Node::Cut {
-                axis,
-                parts,
-                line: line.offset,
-            },
-            None => {
-                self.lines.push(line);
-                let line = self.lines.len() as u32 - 1;
-                Node::Slant { parts, line }
-            }
-        };
+        self.nodes[node as usize] = Node::cut(line, parts, &mut self.lines);
     }
 }
 

@@ -44,6 +44,13 @@ pub(super) struct Line {
 }
 
 impl Line {
+    /// The line across an axis.
+    pub(super) const fn across(axis: usize, offset: f64) -> Self {
+        let mut normal = [0.0; 2];
+        normal[axis] = 1.0;
+        Self { normal, offset }
+    }
+
     /// The axis that it is across, if it is.
     pub(super) fn axis(&self) -> Option<u8> {
         let [x, y] = self.normal.map(f64::to_bits);
@@ -214,6 +221,9 @@ impl Way {
     /// that what holds at both holds between them.
     pub(super) fn split_by(&self, stay: Stay, line: &Line) -> [Option<Stay>; 2] {
         let [from, until] = stay;
+        if until == f64::INFINITY {
+            return self.split_ray_by(from, line);
+        }
         let [[p, e], [q, f]] = stay.map(|time| self.above(line, time));
         let [below, above] = [[Some(stay), None], [None, Some(stay)]];
         if p > e && q > f {
@@ -240,17 +250,42 @@ impl Way {
         }
     }
 
+    /// The same for ever from a time on. It gets away from the line at a speed whose error g is known, too. With T the time from then
+    /// on when it is on the line, and t the computed one, T is off by no more than (e + |t| g) / |speed|, where the speed is at
+    /// least half the computed one.
+    fn split_ray_by(&self, from: f64, line: &Line) -> [Option<Stay>; 2] {
+        let stay = [from, f64::INFINITY];
+        let [p, e] = self.above(line, from);
+        let [v, w] = [0, 1].map(|k| line.normal[k] * self.velocity[k]);
+        let (speed, g) = (v + w, (v.abs() + w.abs()) * SLACK + f64::MIN_POSITIVE);
+        let time = -p / speed;
+        let slack = 4.0 * ((e + time.abs() * g) / speed.abs())
+            + (time.abs() + from.abs()) * SLACK
+            + f64::MIN_POSITIVE;
+        if !(speed.abs() > 2.0 * g && slack.is_finite()) {
+            return [Some(stay); 2];
+        }
+        let pass = from + time;
+        let first = (pass + slack >= from).then_some([from, pass + slack]);
+        let second = Some([from.max(pass - slack), f64::INFINITY]);
+        if speed > 0.0 {
+            [first, second]
+        } else {
+            [second, first]
+        }
+    }
+
     /// A direction across its way, and about how long a step is along the way.
     pub(super) fn across(&self) -> [f64; 2] {
         let [v, w] = self.velocity;
         let size = v.abs().max(w.abs());
-        // Opposite ways have one.
-        let size = if w < 0.0 || (w == 0.0 && v < 0.0) {
+        // Opposite ways have one, and ways along an axis have that of `Line::across`.
+        let size = if w > 0.0 || (w == 0.0 && v < 0.0) {
             -size
         } else {
             size
         };
-        [-w / size, v / size]
+        [-w / size + 0.0, v / size + 0.0]
     }
 
     /// About where it is along a direction at a time.
