@@ -255,3 +255,19 @@ fn place_is_start(field: &Field, who: u32, at: (&Place, Bounds)) -> bool {
         .compare(at, (start, field.starts[who as usize]))
         .is_eq()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{Bounds, is_narrow};
+
+    #[test]
+    fn bounds_without_end_are_not_narrow() {
+        let (all, none) = (f64::INFINITY, f64::NEG_INFINITY);
+        for (low, high) in [(none, all), (1.0, all), (none, 1.0), (1.0, 1.1)] {
+            assert!(!is_narrow(Bounds { low, high }), "{low} {high}");
+        }
+        for (low, high) in [(1.0, 1.0), (0.0, 0.0), (1.0, 1.0 + 1e-12)] {
+            assert!(is_narrow(Bounds { low, high }), "{low} {high}");
+        }
+    }
+}
