@@ -266,7 +266,7 @@ mod tests {
         for (low, high) in [(none, all), (1.0, all), (none, 1.0), (1.0, 1.1)] {
             assert!(!is_narrow(Bounds { low, high }), "{low} {high}");
         }
-        for (low, high) in [(1.0, 1.0), (0.0, 0.0), (1.0, 1.0 + 1e-12)] {
+        for (low, high) in [(1.0, 1.0), (0.0, 0.0), (1.0, 1.0 + 2.0_f64.powi(-40))] {
             assert!(is_narrow(Bounds { low, high }), "{low} {high}");
         }
     }
