@@ -10,6 +10,7 @@ use hipline::topology::{EdgeId, MeetingId, MotorcycleId};
 use hipline::{Figure, Options};
 use hipline_testkit::Case;
 use hipline_testkit::agreement as drawn;
+use hipline_testkit::case::Part;
 use hipline_testkit::generate::{Family, Kind, Random, small_of};
 use hipline_testkit::metamorphic::Map;
 use hipline_testkit::reference::{Graph, RefMotorcycle, reference_launches, reference_motorcycles};
@@ -220,6 +221,83 @@ fn maps_carry_motorcycles_along() {
             assert_eq!(due, found, "{map:?}\n{}", case.to_text());
         }
     }
+}
+
+/// A case whose coordinates are multiplied by powers of two.
+fn stretched(case: &Case, powers: [i32; 2]) -> Case {
+    let mut case = case.clone();
+    for point in case.parts.iter_mut().flat_map(Part::points_mut) {
+        *point = [0, 1].map(|k| scaled(point[k], powers[k]));
+    }
+    case
+}
+
+/// A number times a power of two, of which f64 need not hold the latter.
+fn scaled(x: f64, power: i32) -> f64 {
+    let half = power / 2;
+    x * 2.0_f64.powi(half) * 2.0_f64.powi(power - half)
+}
+
+/// The graph of a figure that is made tiny or huge is that of the figure, tiny or huge.
+#[test]
+fn tiny_and_huge_figures_have_the_same_graphs() {
+    let mut seen = 0;
+    for seed in 0..count(2000, 40) {
+        let kind = Kind::POLYGONS[seed as usize % Kind::POLYGONS.len()];
+        let case = small_of(kind, 2_000_000 + seed);
+        let Some(graph) = (case.figure().ok()).and_then(|figure| figure.motorcycles().ok()) else {
+            continue;
+        };
+        // Multiples of 2^-10 become multiples of the least number.
+        for power in [-1064, -1050, -1020, 900] {
+            let other = stretched(&case, [power; 2]);
+            let figure = other.figure().expect("a figure");
+            let found = figure.motorcycles().expect("it applies");
+            assert_eq!(found.verify(&figure), Ok(()), "{}", other.to_text());
+            let same = |due: Spot, found: Spot| {
+                [(due.x, found.x), (due.y, found.y), (due.time, found.time)]
+                    .into_iter()
+                    .all(|(due, found)| {
+                        let due = scaled(due, power);
+                        // The number is rounded twice here if it is subnormal.
+                        let last = if due.is_normal() {
+                            0.0
+                        } else {
+                            f64::from_bits(1)
+                        };
+                        (due - found).abs() <= last
+                    })
+            };
+            assert_eq!(graph.motorcycles().len(), found.motorcycles().len());
+            for (due, m) in graph.motorcycles().iter().zip(found.motorcycles()) {
+                let stops = due.stop.zip(m.stop).is_some_and(|(p, q)| same(p, q));
+                assert!(same(due.start, m.start) && stops, "{}", other.to_text());
+                assert_eq!(
+                    (due.origin, due.end, due.between, due.velocity),
+                    (m.origin, m.end, m.between, m.velocity),
+                    "{}",
+                    other.to_text()
+                );
+            }
+            seen += graph.motorcycles().len();
+        }
+    }
+    println!("{seen} motorcycles");
+    assert!(seen > 100);
+}
+
+#[test]
+fn flat_figures_agree_with_all_pairs() {
+    let mut seen = 0;
+    for seed in 0..count(600, 20) {
+        let kind = Kind::POLYGONS[seed as usize % Kind::POLYGONS.len()];
+        let case = small_of(kind, 3_000_000 + seed);
+        for powers in [[0, -100], [-1064, -964], [-964, -1064], [900, 800]] {
+            seen += u64::from(agrees(&stretched(&case, powers)));
+        }
+    }
+    println!("{seen} with motorcycles");
+    assert!(seen > 40);
 }
 
 fn of_ring(ring: &[[f64; 2]]) -> MotorcycleGraph {

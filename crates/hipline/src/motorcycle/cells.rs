@@ -111,6 +111,7 @@ impl<'a> Cells<'a> {
         let bounds = Extent::around(places);
         let tree::Built {
             nodes,
+            lines,
             cells,
             walls,
         } = tree::build(
@@ -128,7 +129,7 @@ impl<'a> Cells<'a> {
             cells: cells.collect(),
             standing,
             nodes,
-            lines: Vec::new(),
+            lines,
             walls,
             riders: Lists::default(),
             ahead: Lists::default(),
@@ -226,15 +227,7 @@ impl<'a> Cells<'a> {
         for hit in &found.hits[known..] {
             stay[1] = stay[1].min(hit.bounds.high);
         }
-        // Only the first wall counts.
-        let mut at = known;
-        while at < found.hits.len() {
-            if found.hits[at].bounds.low <= stay[1] {
-                at += 1;
-            } else {
-                found.hits.swap_remove(at);
-            }
-        }
+        let mut seen = found.hits.len();
         let mut next = riders;
         while next != NONE {
             let Entry {
@@ -247,7 +240,28 @@ impl<'a> Cells<'a> {
                 until: [stays[1].min(field.until[other as usize]), stay[1]],
             };
             encounter(field, other, who, window, found);
+            for hit in &found.hits[seen..] {
+                if hit.who == who && field.is_certain(hit) {
+                    stay[1] = stay[1].min(hit.bounds.high);
+                }
+            }
+            seen = found.hits.len();
             next = after;
+        }
+        // What would be after it has stopped does not happen.
+        let mut at = known;
+        while at < found.hits.len() {
+            let hit = &found.hits[at];
+            let when = if hit.who == who {
+                Some(hit.bounds)
+            } else {
+                hit.there
+            };
+            if when.is_some_and(|when| when.low > stay[1]) {
+                found.hits.swap_remove(at);
+            } else {
+                at += 1;
+            }
         }
         let into = &mut self.cells[cell as usize];
         self.riders.push(&mut into.riders, who, stay);
@@ -367,18 +381,7 @@ impl<'a> Cells<'a> {
             };
             self.nodes.push(Node::Cell(place));
         }
-        self.nodes[node as usize] = match line.axis() {
-            Some(axis) => Node::Cut {
-                axis,
-                parts,
-                line: line.offset,
-            },
-            None => {
-                self.lines.push(line);
-                let line = self.lines.len() as u32 - 1;
-                Node::Slant { parts, line }
-            }
-        };
+        self.nodes[node as usize] = Node::cut(line, parts, &mut self.lines);
     }
 }
 

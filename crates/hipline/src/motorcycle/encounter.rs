@@ -145,9 +145,11 @@ pub(super) fn encounter(field: &Field, i: u32, j: u32, window: Window, found: &m
     }
 }
 
-/// Whether bounds are as close as those that f64 gives as a rule.
+/// Whether bounds are as close as those that f64 gives as a rule. Infinite ones are not: who gets somewhere at any time at
+/// all would have to be settled together with all others.
 fn is_narrow(t: Bounds) -> bool {
-    t.high - t.low <= t.high.max(-t.low) / f64::from(1 << 30)
+    let width = t.high - t.low;
+    width.is_finite() && width <= t.high.max(-t.low) / f64::from(1 << 30)
 }
 
 /// Two motorcycles whose paths are parallel.
@@ -252,4 +254,20 @@ fn place_is_start(field: &Field, who: u32, at: (&Place, Bounds)) -> bool {
     field
         .compare(at, (start, field.starts[who as usize]))
         .is_eq()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Bounds, is_narrow};
+
+    #[test]
+    fn bounds_without_end_are_not_narrow() {
+        let (all, none) = (f64::INFINITY, f64::NEG_INFINITY);
+        for (low, high) in [(none, all), (1.0, all), (none, 1.0), (1.0, 1.1)] {
+            assert!(!is_narrow(Bounds { low, high }), "{low} {high}");
+        }
+        for (low, high) in [(1.0, 1.0), (0.0, 0.0), (1.0, 1.0 + 2.0_f64.powi(-40))] {
+            assert!(is_narrow(Bounds { low, high }), "{low} {high}");
+        }
+    }
 }

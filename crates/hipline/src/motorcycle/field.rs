@@ -1,7 +1,7 @@
 //! The motorcycles so far, and what grounds are.
 
 use super::{
-    hits::{Found, Hit, Step},
+    hits::{Found, Hit, Obstacle, Step},
     tracks::{Crash, Meeting, Origin, Track},
 };
 use crate::predicates::{Bounds, Lane, Place, Planes, Rail};
@@ -17,6 +17,10 @@ pub(super) struct Field<'a> {
     pub starts: Vec<Bounds>,
     /// By when each has stopped for certain, as far as is known.
     pub until: Vec<f64>,
+    /// How long each that has stopped moved at least.
+    pub lasted: Vec<f64>,
+    /// All that happens before this moment has been settled.
+    pub settled: f64,
     pub meetings: Vec<Meeting>,
 }
 
@@ -25,6 +29,7 @@ impl Field<'_> {
         self.lanes.push(self.planes.lane(track.pair));
         self.starts.push(self.planes.time_bounds(&track.start));
         self.until.push(f64::INFINITY);
+        self.lasted.push(f64::INFINITY);
         self.tracks.push(track);
         self.tracks.len() as u32 - 1
     }
@@ -60,6 +65,19 @@ impl Field<'_> {
     /// Whether a motorcycle still moves.
     pub(super) fn moves(&self, who: u32) -> bool {
         self.tracks[who as usize].end.is_none()
+    }
+
+    /// Whether a hit is certain already, so that the motorcycle gets no further: on a wall, or on a track that is there.
+    pub(super) fn is_certain(&self, hit: &Hit) -> bool {
+        match hit.on {
+            Obstacle::Wall(_) | Obstacle::Vertex(_) => true,
+            Obstacle::Track(other) => {
+                // Who still moves will stop at the moment that is settled next at the earliest.
+                let lasts = self.settled.min(self.lasted[other as usize]);
+                hit.there.is_some_and(|there| there.high <= lasts)
+            }
+            Obstacle::Rival(_) => false,
+        }
     }
 
     /// Compares the times of two places whose bounds are known. Exact.

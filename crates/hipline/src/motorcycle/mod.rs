@@ -35,6 +35,8 @@ mod model;
 mod pairs;
 mod race;
 mod start;
+#[cfg(test)]
+mod tests;
 pub(crate) mod tracks;
 mod tree;
 mod verify;

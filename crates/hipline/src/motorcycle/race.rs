@@ -55,6 +55,8 @@ pub(super) fn run<G: Ground>(
             lanes: Vec::with_capacity(starters.len()),
             starts: Vec::with_capacity(starters.len()),
             until: Vec::with_capacity(starters.len()),
+            lasted: Vec::with_capacity(starters.len()),
+            settled: f64::NEG_INFINITY,
             tracks: Vec::with_capacity(starters.len()),
             meetings: Vec::new(),
         },
@@ -81,7 +83,7 @@ impl<'a, G: Ground> Race<'a, G> {
     /// Puts what was found into the queues.
     fn file(&mut self) {
         for hit in self.found.hits.drain(..) {
-            if matches!(hit.on, Obstacle::Wall(_) | Obstacle::Vertex(_)) {
+            if self.field.is_certain(&hit) {
                 let until = &mut self.field.until[hit.who as usize];
                 *until = until.min(hit.bounds.high);
             }
@@ -156,6 +158,12 @@ impl<'a, G: Ground> Race<'a, G> {
                 continue;
             }
             let is_first = is_first && cluster.is_empty();
+            if is_first {
+                // What has not been found yet happens after the next step.
+                let hit = next.map_or(f64::INFINITY, |(_, bounds)| bounds.low);
+                let step = (self.steps.peek()).map_or(f64::INFINITY, |Reverse(step)| step.low);
+                self.field.settled = self.field.settled.max(hit.min(step));
+            }
             let next = next.filter(|(_, bounds)| is_first || bounds.low <= *high);
             // All that may be found up to there has to be found before.
             let until = match next {
@@ -281,6 +289,7 @@ impl<'a, G: Ground> Race<'a, G> {
         track.crash = crash;
         track.end = Some(hit.place);
         self.field.until[who] = self.field.until[who].min(hit.bounds.high);
+        self.field.lasted[who] = hit.bounds.low;
     }
 
     /// Ends those who meet, and starts who is born there.

@@ -129,6 +129,16 @@ impl Question for Away {
     }
 }
 
+/// A component of the velocity of a vertex, times a number that is not zero.
+struct Component([PlaneId; 2], usize);
+
+impl Question for Component {
+    fn ask<T: Rung>(&self, planes: &Planes) -> Option<Sign> {
+        let path = Path::<T>::new(planes, self.0);
+        [path.x, path.y][self.1][1].sign()
+    }
+}
+
 /// On which side of the path of a vertex a place is: the left is positive.
 struct Side<'a>(&'a Place, [PlaneId; 2]);
 
@@ -294,6 +304,11 @@ impl Planes {
     /// Whether the angle between two velocities is acute.
     pub(crate) fn go_alike(&self, u: [PlaneId; 2], v: [PlaneId; 2]) -> bool {
         self.decide(&Alike(u, v)).is_positive()
+    }
+
+    /// Whether a vertex does not move along an axis.
+    pub(crate) fn is_static(&self, pair: [PlaneId; 2], axis: usize) -> bool {
+        self.decide(&Component(pair, axis)).is_zero()
     }
 
     /// Which of two vertices comes first to where their paths, which turn as told, cross?
