@@ -259,6 +259,7 @@ fn place_is_start(field: &Field, who: u32, at: (&Place, Bounds)) -> bool {
 #[cfg(test)]
 mod tests {
     use super::{Bounds, is_narrow};
+    use hipline_num::power_of_two;
 
     #[test]
     fn bounds_without_end_are_not_narrow() {
@@ -266,7 +267,7 @@ mod tests {
         for (low, high) in [(none, all), (1.0, all), (none, 1.0), (1.0, 1.1)] {
             assert!(!is_narrow(Bounds { low, high }), "{low} {high}");
         }
-        for (low, high) in [(1.0, 1.0), (0.0, 0.0), (1.0, 1.0 + 2.0_f64.powi(-40))] {
+        for (low, high) in [(1.0, 1.0), (0.0, 0.0), (1.0, 1.0 + power_of_two(-40))] {
             assert!(is_narrow(Bounds { low, high }), "{low} {high}");
         }
     }

@@ -24,6 +24,7 @@
 //! For lines of any direction, see [`Way::above`].
 
 use crate::predicates::Planes;
+use hipline_num::power_of_two;
 
 use super::tracks::{Origin, Track};
 
@@ -83,11 +84,8 @@ pub(super) struct Way {
 
 /// 2^exponent, or NaN where f64 has no such number.
 fn power(exponent: i32) -> f64 {
-    if (-1022..=1023).contains(&exponent) {
-        f64::from_bits(((exponent + 1023) as u64) << 52)
-    } else {
-        f64::NAN
-    }
+    let power = power_of_two(exponent);
+    if power.is_normal() { power } else { f64::NAN }
 }
 
 /// A rounded number in another unit: exactly so many times as large, or NaN if digits of it may be lost.
