@@ -145,7 +145,7 @@ impl<'a> Ring<'a> {
     /// Where a vertex is, seen from the lower chain.
     #[inline]
     pub(super) fn place<N: Number>(&self, vertex: u32) -> Spot<N> {
-        let [x, y] = self.points[vertex as usize].map(|x| self.unit.count::<N>(x));
+        let [x, y] = self.points[vertex as usize].map(|x| N::count(&self.unit, x));
         if self.turned { (y, -x) } else { (x, y) }
     }
 
@@ -192,12 +192,12 @@ impl<'a> Ring<'a> {
     /// The coordinates of the figure at a place.
     pub(super) fn round<N: Number>(&self, (x, y): Spot<N>) -> [f64; 2] {
         let (x, y) = if self.turned { (-y, x) } else { (x, y) };
-        [self.unit.value(x), self.unit.value(y)]
+        [x, y].map(|x| x.value(&self.unit))
     }
 
     /// A time of the figure.
     pub(super) fn round_time<N: Number>(&self, time: N) -> f64 {
-        self.unit.value(time)
+        time.value(&self.unit)
     }
 
     /// Whether edges go the way that corners are counted.
