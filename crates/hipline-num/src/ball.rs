@@ -4,7 +4,7 @@
 //! the true value is the integer v*. A positive e is never below 2^-500, so it cannot get
 //! lost by underflow in a product.
 
-use crate::dyadic::{is_integer, scale};
+use crate::dyadic::{is_integer, ldexp, power_of_two};
 use crate::{BallDd, Number, Sign};
 use dashu_int::IBig;
 
@@ -30,7 +30,7 @@ const SAFETY: f64 = 1.0 + 16.0 * U;
 /// a bound has fewer than ten. And it is so large that a product of two positive errors does not
 /// underflow: a propagated error of 0 means that there is none. Quantities are polynomials
 /// in integers and their roots; what is lost on numbers below 2^-500 is never missed.
-const TINY: f64 = f64::from_bits((1023 - 500) << 52);
+const TINY: f64 = power_of_two(-500);
 
 /// An f64 with a proven error bound.
 ///
@@ -233,7 +233,7 @@ impl Ball {
     #[inline]
     #[must_use]
     pub fn ldexp(&self, k: i32) -> Self {
-        let v = scale(self.v, k);
+        let v = ldexp(self.v, k);
         if self.e == 0.0 && (v == 0.0) == (self.v == 0.0) && v.is_finite() && is_integer(v) {
             return Self { v, e: 0.0 };
         }
@@ -242,7 +242,7 @@ impl Ball {
         }
         Self {
             v,
-            e: scale(self.e, k) * SAFETY + TINY,
+            e: ldexp(self.e, k) * SAFETY + TINY,
         }
     }
 

@@ -10,7 +10,7 @@
 //! The invariant is that of [`Ball`](crate::Ball): the true value lies within e of hi + lo,
 //! e = 0 only if the true value is the integer hi + lo, and a positive e is at least 2^-500.
 
-use crate::dyadic::{is_integer, scale};
+use crate::dyadic::{is_integer, ldexp, power_of_two};
 use crate::{Number, Sign};
 use dashu_int::{IBig, Word};
 
@@ -18,7 +18,7 @@ use dashu_int::{IBig, Word};
 const U: f64 = f64::EPSILON / 2.0;
 
 /// The base of the digits of big integers, 2^64 or 2^32.
-const BASE: f64 = f64::from_bits((1023 + Word::BITS as u64) << 52);
+const BASE: f64 = power_of_two(Word::BITS as i32);
 
 /// So many of its digits hold at least 129 bits of a larger integer.
 const LEADING: usize = 128 / Word::BITS as usize + 1;
@@ -47,7 +47,7 @@ const SAFETY: f64 = 1.0 + 32.0 * U;
 /// 2^-1075 each and the sums of them by at most u·2^-960 = 2^-1013 each; there are fewer than ten.
 /// The same holds for the cross products x_hi·y_lo, which are rounded once. And as in
 /// `Ball`, a product of positive errors stays positive.
-const TINY: f64 = f64::from_bits((1023 - 500) << 52);
+const TINY: f64 = power_of_two(-500);
 
 /// A double-double with a proven error bound: about 32 decimal digits.
 ///
@@ -351,7 +351,7 @@ impl BallDd {
     /// The value times 2^k.
     #[must_use]
     pub fn ldexp(&self, k: i32) -> Self {
-        let (hi, lo) = (scale(self.hi, k), scale(self.lo, k));
+        let (hi, lo) = (ldexp(self.hi, k), ldexp(self.lo, k));
         if !hi.is_finite() {
             return Self::ANY;
         }
@@ -362,7 +362,7 @@ impl BallDd {
         Self {
             hi,
             lo,
-            e: scale(self.e, k) * SAFETY + TINY,
+            e: ldexp(self.e, k) * SAFETY + TINY,
         }
     }
 
@@ -389,8 +389,8 @@ impl BallDd {
 /// With operands in it, the first quotient is within 2^±900, all products are near the
 /// dividend, and an underflow (2^-1075) of the correction terms is below 2^-625 relative to the
 /// dividend or 2^-175 relative to the quotient: covered by the u² between 15u² and 16u².
-const LEAST: f64 = f64::from_bits((1023 - 450) << 52);
-const MOST: f64 = f64::from_bits((1023 + 450) << 52);
+const LEAST: f64 = power_of_two(-450);
+const MOST: f64 = power_of_two(450);
 
 impl Number for BallDd {
     #[inline]

@@ -3,8 +3,7 @@
 //! What is measured has rounded coordinates, which are dyadic numbers; so each distance is the root
 //! of a dyadic number, and how two sums of them compare is the sign of a [`Surd`].
 
-use crate::dyadic::scale;
-use crate::{Ball, BallDd, Number, Sign, Surd, f64_to_parts, ilog2};
+use crate::{Ball, BallDd, Number, Sign, Surd, common_unit, exponent, in_units, ldexp};
 use dashu_int::{IBig, UBig, ops::UnsignedAbs};
 use std::cmp::Ordering;
 
@@ -26,8 +25,8 @@ pub fn hypot(x: f64, y: f64) -> f64 {
     }
     // Neither square leaves the range of f64.
     let k = exponent_above([x, y]);
-    let [x, y] = [scale(x, -k), scale(y, -k)];
-    scale((x * x + y * y).sqrt(), k)
+    let [x, y] = [ldexp(x, -k), ldexp(y, -k)];
+    ldexp((x * x + y * y).sqrt(), k)
 }
 
 /// The length of a segment times 2^-shift, enclosed.
@@ -77,16 +76,8 @@ pub fn compare_lengths(some: &[Segment], others: &[Segment], more: f64) -> Order
 
 fn exactly(some: &[Segment], others: &[Segment], more: f64) -> Sign {
     let all = || some.iter().chain(others).flatten().flatten().copied();
-    let unit = all().chain([more]).filter(|&x| x != 0.0);
-    let unit = unit.map(|x| f64_to_parts(x).1).min().unwrap_or(0);
-    let integer = |x: f64| {
-        let (mantissa, exponent) = f64_to_parts(x);
-        if mantissa == IBig::ZERO {
-            mantissa
-        } else {
-            mantissa << (exponent - unit) as usize
-        }
-    };
+    let (unit, _) = common_unit(all().chain([more]));
+    let integer = |x: f64| in_units(x, unit);
     let square = |[p, q]: &Segment| {
         let d = |axis: usize| {
             let d = integer(q[axis]) - integer(p[axis]);
@@ -113,8 +104,7 @@ pub fn exponent_above(numbers: impl IntoIterator<Item = f64>) -> i32 {
     if largest == 0.0 || !largest.is_finite() {
         return 0;
     }
-    let (mantissa, exponent) = f64_to_parts(largest);
-    exponent + ilog2(&mantissa.unsigned_abs()).map_or(0, |k| k as i32 + 1)
+    exponent(largest) + 1
 }
 
 #[cfg(test)]
@@ -176,7 +166,7 @@ mod tests {
     #[test]
     fn distances_are_enclosed() {
         let ball = distance([[0.0, 0.0], [3e200, 4e200]], 600);
-        let length = scale(5e200, -600);
+        let length = ldexp(5e200, -600);
         assert!(
             ball.lower() <= length && length <= ball.upper(),
             "{ball:?} and {length}"

@@ -38,7 +38,9 @@ mod wide;
 
 pub use ball::Ball;
 pub use ball_dd::BallDd;
-pub use dyadic::{f64_to_parts, ilog2};
+pub use dyadic::{
+    common_unit, exponent, f64_to_parts, ilog2, in_units, ldexp, odd_parts, power_of_two,
+};
 pub use fixed::{Fixed, Radicals};
 pub use length::{Segment, compare_lengths, distance, exponent_above, hypot};
 pub use limbs::{Digits, Integer, Limbs, Short};

@@ -5,7 +5,7 @@
 //! two neighbouring f64 numbers; so once the ends round to neighbours, the quotient is
 //! compared with the number halfway between them, exactly, and the matter is settled.
 
-use crate::dyadic::{f64_to_parts, magnitude_parts, power_of_two, scale};
+use crate::dyadic::{f64_to_parts, ldexp, magnitude_parts, power_of_two};
 use crate::surd::Surd;
 use crate::surd_sign::{Interval, sign_of};
 use crate::{BallDd, Number, Sign};
@@ -218,7 +218,7 @@ pub fn round_ball_dd_plus(p: &BallDd, q: &BallDd, exponent: i32, origin: f64) ->
     }
     let result = if origin == 0.0 {
         // Scaling by a power of two commutes with rounding in the normal range.
-        scale(quotient.rounded_once()?, exponent)
+        ldexp(quotient.rounded_once()?, exponent)
     } else {
         quotient
             .ldexp(exponent)

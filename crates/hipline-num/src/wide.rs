@@ -11,7 +11,7 @@ use dashu_int::{
     ops::{BitTest, SquareRoot, UnsignedAbs},
 };
 
-use crate::{BallDd, Number, Sign};
+use crate::{BallDd, Number, Sign, ldexp};
 
 /// Binary digits kept.
 const DIGITS: usize = 400;
@@ -39,21 +39,22 @@ fn leading(m: &IBig) -> (f64, i32) {
     (top as f64, i32::try_from(cut).expect("mantissas are short"))
 }
 
+/// An exponent of which `ldexp` makes nothing else than of the full one.
+fn power(digits: impl TryInto<i32>) -> i32 {
+    digits.try_into().unwrap_or(i32::MAX)
+}
+
 /// An upper bound of the size of a mantissa.
 fn size(m: &IBig) -> f64 {
     let (top, cut) = leading(m);
     // Below 2^52, the sum is exact; so is the scaling.
-    if cut == 0 {
-        top
-    } else {
-        (top + 1.0) * 2.0_f64.powi(cut)
-    }
+    if cut == 0 { top } else { ldexp(top + 1.0, cut) }
 }
 
 /// A lower bound of the size of a mantissa.
 fn least(m: &IBig) -> f64 {
     let (top, cut) = leading(m);
-    top * 2.0_f64.powi(cut)
+    ldexp(top, cut)
 }
 
 impl Wide {
@@ -83,8 +84,7 @@ impl Wide {
             // Shifting rounds down: at most one unit.
             self.mantissa >>= drop;
             self.exponent += i64::try_from(drop).expect("short");
-            let scale = 2.0_f64.powi(-i32::try_from(drop).unwrap_or(i32::MAX));
-            self.error = (self.error * scale + 1.0) * UP;
+            self.error = (ldexp(self.error, -power(drop)) + 1.0) * UP;
         }
         self
     }
@@ -93,13 +93,7 @@ impl Wide {
     fn lowered(&self, exponent: i64) -> (IBig, f64) {
         let by =
             usize::try_from(self.exponent - exponent).expect("an exponent not above this one's");
-        let scale = 2.0_f64.powi(i32::try_from(by).unwrap_or(i32::MAX));
-        let error = if self.error > 0.0 {
-            self.error * scale * UP
-        } else {
-            0.0
-        };
-        (&self.mantissa << by, error)
+        (&self.mantissa << by, ldexp(self.error, power(by)) * UP)
     }
 
     fn sum(&self, o: &Self, negate: bool) -> Self {
@@ -112,8 +106,7 @@ impl Wide {
             } else {
                 (o, self, negate)
             };
-            let scale = 2.0_f64.powi(-i32::try_from(spread).unwrap_or(i32::MAX));
-            let lost = (size(&small.mantissa) + small.error) * scale;
+            let lost = ldexp(size(&small.mantissa) + small.error, -power(spread));
             return Self {
                 mantissa: if sign {
                     -&large.mantissa
@@ -158,10 +151,10 @@ impl Wide {
         }
         let up = (DIGITS + bits(&o.mantissa)).saturating_sub(bits(&self.mantissa));
         let mantissa = (&self.mantissa << up) / &o.mantissa;
-        let scale = 2.0_f64.powi(i32::try_from(up).unwrap_or(i32::MAX));
         // |q'| = |(n + dn) / (m + dm)|, so |q' - q| <= (dn + |q| dm) / (|m| - dm), and the
         // integer division rounds by less than one.
-        let error = (self.error * scale + size(&mantissa) * o.error) / least * UP * UP + 1.0;
+        let error =
+            (ldexp(self.error, power(up)) + size(&mantissa) * o.error) / least * UP * UP + 1.0;
         Self {
             mantissa,
             exponent: self.exponent - o.exponent - up as i64,
@@ -197,7 +190,7 @@ impl Wide {
         let root = radicand.sqrt();
         let exact = self.error <= 0.0 && &root * &root == radicand;
         let mantissa = IBig::from(root);
-        let scaled = self.error * 2.0_f64.powi(i32::try_from(up).unwrap_or(i32::MAX));
+        let scaled = ldexp(self.error, power(up));
         // |sqrt(a + d) - sqrt(a)| <= |d| / sqrt(a) for a + d >= 0, and sqrt(a) >= root.
         let error = if exact {
             0.0
@@ -216,8 +209,7 @@ impl Wide {
     #[must_use]
     pub fn to_ball_dd(&self) -> BallDd {
         let drop = bits(&self.mantissa).saturating_sub(100);
-        let by = i32::try_from(drop).unwrap_or(i32::MAX);
-        let mut error = self.error * 2.0_f64.powi(-by);
+        let mut error = ldexp(self.error, -power(drop));
         // Shifting rounds down: at most one unit.
         if drop > 0 {
             error = (error + 1.0) * UP;
@@ -329,6 +321,17 @@ mod tests {
     }
 
     #[test]
+    fn what_is_lost_far_below_is_remembered() {
+        // 2^-760 is a mantissa of 400 digits times 2^-1160. Beside one it is an error, and 2^-1160 no f64.
+        let one = Wide::from_i64(1);
+        let power = |k: usize| Wide::from_int(&(IBig::ONE << k));
+        let tiny = one.div(&power(380)).div(&power(380));
+        // The root of 2^-760 is above 2^-390.
+        let root = one.plus(&tiny).minus(&one).sqrt();
+        assert_eq!(root.minus(&one.div(&power(390))).sign(), None);
+    }
+
+    #[test]
     fn quotients_and_roots_enclose() {
         let mut state = 99;
         for _ in 0..2000 {
@@ -346,7 +349,7 @@ mod tests {
                 .minus(&Wide::from_int(&IBig::from(a).unsigned_abs().into()));
             assert!(matches!(back.sign(), None | Some(Sign::Zero)), "sqrt {a}");
             let near = p.div(&q).to_ball_dd();
-            assert!(near.error() <= near.value().abs() * 2.0_f64.powi(-90));
+            assert!(near.error() <= ldexp(near.value().abs(), -90));
             let back = near
                 .times(&BallDd::from_int(&IBig::from(b)))
                 .minus(&BallDd::from_int(&IBig::from(a)));

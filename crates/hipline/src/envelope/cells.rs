@@ -14,6 +14,7 @@ use super::{
     section::{Cut, Mark},
 };
 use crate::predicates::{CellCorner, PlaneId, Station};
+use hipline_num::{exponent, power_of_two};
 use std::{collections::VecDeque, sync::Arc};
 
 /// Of a list this short, all pairs are candidates.
@@ -48,7 +49,7 @@ impl Found {
 
 /// A number with few binary digits between two others.
 fn between(low: f64, high: f64) -> Option<f64> {
-    let grain = 2.0_f64.powi(((high - low).log2().floor() as i32 - 3).max(-1000));
+    let grain = power_of_two((exponent(high - low) - 3).max(-1000));
     let c = (low.midpoint(high) / grain).floor() * grain + 0.3125 * grain;
     (low < c && c < high).then_some(c)
 }

@@ -1,58 +1,15 @@
 //! Above a convex cell without valleys the roof is the lower envelope of the planes of its faces (section 4.1 of the thesis).
 //!
 //! The lower envelope of planes of one slope is the roof above a convex polygon, the one whose edges are all lines, long before any two of them
-//! have met; it shrinks, and its edges vanish one after another. A heap has the next one first.
+//! have met; it shrinks, and its edges vanish one after another.
 
 use super::{Envelope, slabs::sorted};
-use crate::predicates::{Place, PlaneId};
+use crate::{
+    predicates::{Place, PlaneId},
+    topology::WaveId,
+    wavefront::Queue,
+};
 use std::cmp::Ordering;
-
-/// An edge that vanishes between its neighbours.
-#[derive(Clone, Copy)]
-struct Vanishing {
-    members: [u32; 3],
-    place: Place,
-}
-
-/// A heap by time.
-struct Heap<'a, 'b>(&'a Envelope<'b>, Vec<Vanishing>);
-
-impl Heap<'_, '_> {
-    fn is_before(&self, i: usize, j: usize) -> bool {
-        let [p, q] = [i, j].map(|k| &self.1[k].place);
-        self.0.planes.compare_times(p, q).is_lt()
-    }
-
-    fn push(&mut self, item: Vanishing) {
-        self.1.push(item);
-        let mut at = self.1.len() - 1;
-        while at > 0 && self.is_before(at, (at - 1) / 2) {
-            self.1.swap(at, (at - 1) / 2);
-            at = (at - 1) / 2;
-        }
-    }
-
-    fn pop(&mut self) -> Option<Vanishing> {
-        if self.1.is_empty() {
-            return None;
-        }
-        let first = self.1.swap_remove(0);
-        let mut at = 0;
-        loop {
-            let mut least = at;
-            for child in [2 * at + 1, 2 * at + 2] {
-                if child < self.1.len() && self.is_before(child, least) {
-                    least = child;
-                }
-            }
-            if least == at {
-                return Some(first);
-            }
-            self.1.swap(at, least);
-            at = least;
-        }
-    }
-}
 
 impl Envelope<'_> {
     /// The pairs of planes (by class) that border on each other on their lower envelope; a few more where nodes are of high degree.
@@ -64,58 +21,58 @@ impl Envelope<'_> {
         planes.dedup();
         let ring = self.by_direction(planes);
         let mut pairs = Vec::with_capacity(2 * ring.len());
-        let count = ring.len() as u32;
+        let count = ring.len();
         if count < 2 {
             return pairs;
         }
-        let mut beside: Vec<[u32; 2]> = (0..count)
+        let mut beside: Vec<[usize; 2]> = (0..count)
             .map(|i| [(i + count - 1) % count, (i + 1) % count])
             .collect();
-        let mut is_gone = vec![false; ring.len()];
-        let mut heap = Heap(self, Vec::with_capacity(2 * ring.len()));
-        let event = |members: [u32; 3]| {
-            let [a, b, c] = members.map(|i| ring[i as usize]);
-            if a == c
-                || !self.planes.turn(a, b).is_positive()
-                || !self.planes.turn(b, c).is_positive()
-            {
-                return None;
-            }
-            let pair = [a, b];
-            let moment = sorted([a, b, c]);
-            let place = Place::Event { pair, moment };
-            Some(Vanishing { members, place })
+        let vanishing = |i: usize, [before, after]: [usize; 2]| {
+            self.vanishing([before, i, after].map(|k| ring[k]))
+        };
+        // Where each edge vanishes, as it is queued.
+        let mut places: Vec<Option<Place>> = (beside.iter().enumerate())
+            .map(|(i, &beside)| vanishing(i, beside))
+            .collect();
+        let bounds = |place: &Option<Place>| Some(self.planes.time_bounds(place.as_ref()?));
+        let mut queue = Queue::default();
+        queue.reset(count);
+        queue.fill(
+            (places.iter().enumerate())
+                .filter_map(|(i, place)| Some((WaveId::new(i), bounds(place)?))),
+        );
+        pairs.extend((0..count).map(|i| [ring[i], ring[beside[i][1]]]));
+        let exact = |places: &[Option<Place>], i: WaveId, j: WaveId| {
+            let [p, q] = [i, j].map(|w| places[w.index()].as_ref().expect("it vanishes"));
+            self.planes.compare_times(p, q)
         };
         let mut steps = 0;
-        for i in 0..count {
-            let [before, after] = beside[i as usize];
-            pairs.push([ring[i as usize], ring[after as usize]]);
-            if let Some(event) = event([before, i, after]) {
-                heap.push(event);
-            }
-        }
-        while let Some(Vanishing { members, .. }) = heap.pop() {
-            let [a, b, c] = members;
-            if is_gone[b as usize] || beside[b as usize] != [a, c] {
-                continue;
-            }
+        while let Some(gone) = queue.peek(&|i, j| exact(&places, i, j)) {
+            queue.set(gone, None, &|i, j| exact(&places, i, j));
             steps += 1;
-            is_gone[b as usize] = true;
-            beside[a as usize][1] = c;
-            beside[c as usize][0] = a;
-            if a == c {
-                break;
-            }
-            pairs.push([a, c].map(|i| ring[i as usize]));
+            let [a, c] = beside[gone.index()];
+            beside[a][1] = c;
+            beside[c][0] = a;
+            pairs.push([ring[a], ring[c]]);
             for middle in [a, c] {
-                let [before, after] = beside[middle as usize];
-                if let Some(event) = event([before, middle, after]) {
-                    heap.push(event);
-                }
+                places[middle] = vanishing(middle, beside[middle]);
+                let bounds = bounds(&places[middle]);
+                queue.set(WaveId::new(middle), bounds, &|i, j| exact(&places, i, j));
             }
         }
         self.count.planes += steps;
         pairs
+    }
+
+    /// Where the edge of the second one of three planes vanishes between those of the others, if it does.
+    fn vanishing(&self, [a, b, c]: [PlaneId; 3]) -> Option<Place> {
+        let shrinks =
+            a != c && self.planes.turn(a, b).is_positive() && self.planes.turn(b, c).is_positive();
+        shrinks.then(|| Place::Event {
+            pair: [a, b],
+            moment: sorted([a, b, c]),
+        })
     }
 
     /// Planes in the order of their directions, counterclockwise; of those with one direction, the lowest.

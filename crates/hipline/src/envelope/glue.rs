@@ -9,7 +9,7 @@ use super::{
 use crate::{
     motorcycle::tracks::{Crash, Origin},
     predicates::{Place, PlaneId},
-    topology::{TraceId, WaveId},
+    topology::{Sets, TraceId, WaveId},
     wavefront::{End, EventNode, Trace, Walk, Wave, Wavefront},
 };
 use hipline_num::Sign;
@@ -49,7 +49,8 @@ struct Part {
 
 /// Which things are one node.
 struct Nodes {
-    parents: Vec<u32>,
+    /// Of the numbers that one node has, the lowest stands for it: so vertices do.
+    sets: Sets,
     /// Where the numbers of meetings, of tops of tracks and of ends of arcs start; those of vertices come first.
     first: [usize; 3],
 }
@@ -58,7 +59,7 @@ impl Nodes {
     fn new(vertices: usize, meetings: usize, tracks: usize, arcs: usize) -> Self {
         let first = [vertices, vertices + meetings, vertices + meetings + tracks];
         Self {
-            parents: (0..(first[2] + 2 * arcs) as u32).collect(),
+            sets: Sets::new(first[2] + 2 * arcs),
             first,
         }
     }
@@ -73,21 +74,6 @@ impl Nodes {
 
     const fn end(&self, arc: u32, end: usize) -> usize {
         self.first[2] + 2 * arc as usize + end
-    }
-
-    fn root(&mut self, mut i: usize) -> usize {
-        while self.parents[i] as usize != i {
-            let parent = self.parents[i] as usize;
-            self.parents[i] = self.parents[parent];
-            i = parent;
-        }
-        i
-    }
-
-    /// The lower number becomes the root: so vertices are.
-    fn merge(&mut self, i: usize, j: usize) {
-        let (i, j) = (self.root(i), self.root(j));
-        self.parents[i.max(j)] = i.min(j) as u32;
     }
 }
 
@@ -266,7 +252,7 @@ impl Envelope<'_> {
             let [p, q] = [0, 1].map(|k| &pair[k]);
             let right = nodes.end(p.arc, usize::from(!p.reversed));
             let left = nodes.end(q.arc, usize::from(q.reversed));
-            nodes.merge(right, left);
+            nodes.sets.join(right, left);
         }
         let sides = [joint.members.first(), joint.members.last()];
         let parts = [parts.first(), parts.last()];
@@ -287,7 +273,7 @@ impl Envelope<'_> {
                 },
             };
             let end = nodes.end(part.arc, if part.reversed { 1 - side } else { side });
-            nodes.merge(node, end);
+            nodes.sets.join(node, end);
         }
     }
 
@@ -335,7 +321,7 @@ impl Builder<'_, '_> {
 
     /// The number of a node, given a place that defines it if it is new.
     fn node(&mut self, key: usize, place: Option<&Place>) -> u32 {
-        let root = self.nodes.root(key);
+        let root = self.nodes.sets.root(key);
         if root < self.nodes.first[0] {
             return root as u32;
         }

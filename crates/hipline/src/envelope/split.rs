@@ -14,7 +14,7 @@ use super::{
     strips::Half,
 };
 use crate::predicates::{CellCorner, Line, Station};
-use hipline_num::Sign;
+use hipline_num::{Sign, exponent, power_of_two};
 use std::sync::Arc;
 
 /// A stretch of a cut within a cell on which one slab is visible.
@@ -129,7 +129,7 @@ impl Envelope<'_> {
         if !(width > 0.0 && width.is_finite()) {
             return None;
         }
-        let grain = 2.0_f64.powi((width.log2().floor() as i32 - 6).max(-1000));
+        let grain = power_of_two((exponent(width) - 6).max(-1000));
         let first = (low / grain).floor() + 1.3125;
         let last = (high / grain).ceil() - 1.3125;
         let [p, q] = [first * grain, last * grain];

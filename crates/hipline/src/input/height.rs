@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use dashu_int::{IBig, ops::UnsignedAbs};
-use hipline_num::f64_to_parts;
+use hipline_num::{common_unit, in_units};
 
 use super::{Edge, Flaw, Place, SpeedChange, builder::Part};
 use crate::topology::VertexId;
@@ -124,17 +124,8 @@ pub(super) fn check(
 
 /// Numbers as integers over a common power of two, and its exponent.
 fn integers<const N: usize>(numbers: [f64; N]) -> ([IBig; N], i32) {
-    let parts = numbers.map(f64_to_parts);
-    let used = parts.iter().filter(|(mantissa, _)| *mantissa != IBig::ZERO);
-    let unit = used.map(|part| part.1).min().unwrap_or(0);
-    let scaled = parts.map(|(mantissa, exponent)| {
-        if mantissa == IBig::ZERO {
-            mantissa
-        } else {
-            mantissa << (exponent - unit) as usize
-        }
-    });
-    (scaled, unit)
+    let (unit, _) = common_unit(numbers);
+    (numbers.map(|x| in_units(x, unit)), unit)
 }
 
 /// Whether an edge rises as steeply as a facet of its speed would, or more.

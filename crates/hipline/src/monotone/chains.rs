@@ -130,6 +130,14 @@ pub(super) struct Chains<'a> {
     pub steps: u64,
 }
 
+/// The order in which wavefront edges collapse, given the planes that meet when each does.
+fn exact_order(planes: &Planes, collapse: &[[PlaneId; 3]]) -> impl Fn(WaveId, WaveId) -> Ordering {
+    move |v, w| {
+        let [v, w] = [v, w].map(|w| Moment::Planes(collapse[w.index()]));
+        planes.compare(&v, &w)
+    }
+}
+
 impl<'a> Chains<'a> {
     /// The wavefronts at time zero, before anything happens.
     pub(super) fn new(
@@ -393,14 +401,7 @@ impl<'a> Chains<'a> {
 
     /// What collapses next.
     fn first(&mut self) -> Option<WaveId> {
-        let Self {
-            queue,
-            planes,
-            collapse,
-            ..
-        } = self;
-        let at = |w: WaveId| Moment::Planes(collapse[w.index()]);
-        queue.peek(&|a, b| planes.compare(&at(a), &at(b)))
+        self.queue.peek(&exact_order(self.planes, &self.collapse))
     }
 
     /// A run of wavefront edges of length zero becomes one vertex.
@@ -499,16 +500,8 @@ impl<'a> Chains<'a> {
     }
 
     fn set_queued(&mut self, w: u32, bounds: Option<Bounds>) {
-        let Self {
-            queue,
-            planes,
-            collapse,
-            ..
-        } = self;
-        let at = |w: WaveId| Moment::Planes(collapse[w.index()]);
-        queue.set(WaveId::raw(w), bounds, &|a, b| {
-            planes.compare(&at(a), &at(b))
-        });
+        let exact = exact_order(self.planes, &self.collapse);
+        self.queue.set(WaveId::raw(w), bounds, &exact);
     }
 
     /// Finds the next collapse of all wavefront edges with a new vertex.

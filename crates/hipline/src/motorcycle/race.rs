@@ -17,17 +17,8 @@ use super::{
     hits::{Found, Hit, Obstacle, Queued, Step},
     tracks::{Crash, Meeting, Origin, Track, Tracks},
 };
-use crate::predicates::Planes;
+use crate::{predicates::Planes, topology::Sets};
 use std::{cmp::Reverse, collections::BinaryHeap};
-
-/// The first one of the set that an element is in.
-fn root(parents: &mut [usize], mut i: usize) -> usize {
-    while parents[i] != i {
-        parents[i] = parents[parents[i]];
-        i = parents[i];
-    }
-    i
-}
 
 /// Hits that may depend on each other, and groups that do not.
 #[derive(Default)]
@@ -203,21 +194,20 @@ impl<'a, G: Ground> Race<'a, G> {
         let mut ids: Vec<u32> = cluster.iter().map(|hit| hit.who).collect();
         ids.sort_unstable();
         ids.dedup();
-        let mut parents: Vec<usize> = (0..ids.len()).collect();
+        let mut sets = Sets::new(ids.len());
         for hit in cluster {
             let before = hit.there.is_some_and(|there| there.high < low);
             let at = |id: u32| ids.binary_search(&id).ok();
             if let Some(other) = hit.on.other().filter(|_| !before)
                 && let (Some(a), Some(b)) = (at(hit.who), at(other))
             {
-                let [a, b] = [a, b].map(|i| root(&mut parents, i));
-                parents[a.max(b)] = a.min(b);
+                sets.join(a, b);
             }
         }
         let mut hits: Vec<(usize, Hit)> = (cluster.iter())
             .map(|hit| {
                 let at = ids.binary_search(&hit.who).expect("it is among them");
-                (root(&mut parents, at), *hit)
+                (sets.root(at), *hit)
             })
             .collect();
         hits.sort_by_key(|(component, _)| *component);

@@ -27,7 +27,7 @@
 use super::{Terminal, orientation};
 use crate::input::Figure;
 use dashu_int::IBig;
-use hipline_num::{Ball, Number, Sign, f64_to_parts};
+use hipline_num::{Ball, Number, Sign, common_unit, in_units};
 
 /// The caps of a figure's modified skeleton, in the order of their vertices: two at each vertex that has
 /// any. The wide sector goes counterclockwise from the first one's edge to the second one's.
@@ -102,12 +102,8 @@ fn is_acute([v, p, q]: [[f64; 2]; 3]) -> bool {
 
 /// The sign of `(p - v) (q - v)`.
 fn exact_dot(v: [f64; 2], p: [f64; 2], q: [f64; 2]) -> Sign {
-    let parts = [v, p, q].map(|point| point.map(f64_to_parts));
-    let nonzero = parts.iter().flatten().filter(|(m, _)| *m != IBig::ZERO);
-    let unit = nonzero.map(|&(_, exponent)| exponent).min().unwrap_or(0);
-    let [v, p, q] = parts.map(|point| {
-        point.map(|(mantissa, exponent)| mantissa << (exponent - unit).max(0) as usize)
-    });
+    let (unit, _) = common_unit([v, p, q].into_iter().flatten());
+    let [v, p, q] = [v, p, q].map(|point| point.map(|x| in_units(x, unit)));
     let product = |k: usize| (&p[k] - &v[k]) * (&q[k] - &v[k]);
     Sign::from((product(0) + product(1)).cmp(&IBig::ZERO))
 }

@@ -13,12 +13,9 @@
 //! So here too there is one root to an edge; but the normal holds it as well.
 
 use dashu_int::{IBig, UBig, ops::UnsignedAbs};
-use hipline_num::BallDd;
+use hipline_num::{BallDd, in_units};
 
-use super::{
-    grid::scaled,
-    planes::{Line, Plane, PlaneId, Planes, Rung},
-};
+use super::planes::{Line, Plane, PlaneId, Planes, Rung};
 use crate::{input::Figure, topology::EdgeId};
 
 /// A side of an edge whose ends have different heights.
@@ -86,7 +83,7 @@ impl Planes {
         let eaves = self.phases.eaves().to_vec();
         let place = |v: usize| {
             [0, 1].map(|k| {
-                scaled(figure.vertices()[v][k], self.unit) - scaled(self.origin[k], self.unit)
+                in_units(figure.vertices()[v][k], self.unit) - in_units(self.origin[k], self.unit)
             })
         };
         let time_unit = self.unit - speed_unit;
@@ -103,8 +100,8 @@ impl Planes {
             .collect();
         for (eave, [p, q]) in eaves.iter().zip(&ends) {
             let speed = figure.edges()[eave.edge.index()].speeds[(eave.wall.0 & 1) as usize];
-            let w = scaled(speed, speed_unit);
-            let [mut h, mut k] = [eave.from, eave.to].map(|h| scaled(h, time_unit));
+            let w = in_units(speed, speed_unit);
+            let [mut h, mut k] = [eave.from, eave.to].map(|h| in_units(h, time_unit));
             if !eave.rises {
                 std::mem::swap(&mut h, &mut k);
             }

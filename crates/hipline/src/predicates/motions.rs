@@ -9,11 +9,11 @@ use dashu_int::{
     IBig,
     ops::{BitTest, UnsignedAbs},
 };
+use hipline_num::{common_unit, in_units};
 use std::cell::Cell;
 
 use super::{
     fixed::Lengths,
-    grid::{common_unit, scaled},
     phases::Phases,
     planes::{GRID, PlaneId, Planes, Speeds},
 };
@@ -82,15 +82,15 @@ impl Planes {
             nearest.unwrap_or_default()
         });
         let point =
-            |place: [f64; 2]| [0, 1].map(|k| scaled(place[k], unit) - scaled(origin[k], unit));
+            |place: [f64; 2]| [0, 1].map(|k| in_units(place[k], unit) - in_units(origin[k], unit));
         let mut points: Vec<([IBig; 2], [IBig; 2])> =
             Vec::with_capacity(LINES * motions.len() + WALL_LINES * walls.len());
         let mut exact = Vec::with_capacity(2 * points.capacity());
         let unit_vectors = || [[IBig::ONE, IBig::ZERO], [IBig::ZERO, IBig::ONE]];
         for motion in motions {
             let at = point(motion.place);
-            let speed = motion.velocity.map(|v| scaled(v, speed_unit));
-            let time = scaled(motion.time, time_unit);
+            let speed = motion.velocity.map(|v| in_units(v, speed_unit));
+            let time = in_units(motion.time, time_unit);
             let first = [0, 1].map(|k| &at[k] - &speed[k] * &time);
             for (normal, speed) in unit_vectors().into_iter().zip(speed) {
                 points.push((normal, first.clone()));

@@ -2,28 +2,13 @@
 
 use super::Direction;
 use dashu_int::IBig;
-use hipline_num::Sign;
+use hipline_num::{Sign, common_unit, in_units};
 
 /// The orientation of three places, each a point of the input or a direction at infinity:
 /// positive if counterclockwise. Exact.
 pub(crate) fn orientation(places: [Result<[f64; 2], Direction>; 3]) -> Sign {
-    let unit = places
-        .iter()
-        .flatten()
-        .flatten()
-        .map(|&x| hipline_num::f64_to_parts(x))
-        .filter(|(mantissa, _)| *mantissa != IBig::ZERO)
-        .map(|(_, exponent)| exponent)
-        .min()
-        .unwrap_or(0);
-    let scaled = |x: f64| {
-        let (mantissa, exponent) = hipline_num::f64_to_parts(x);
-        if mantissa == IBig::ZERO {
-            mantissa
-        } else {
-            mantissa << (exponent - unit) as usize
-        }
-    };
+    let (unit, _) = common_unit(places.iter().flatten().flatten().copied());
+    let scaled = |x: f64| in_units(x, unit);
     let [p, q, r] = places.map(|place| match place {
         Ok([x, y]) => [scaled(x), scaled(y), IBig::ONE],
         Err(direction) => {

@@ -8,7 +8,7 @@
 //! the meeting of three planes like any other.
 
 use dashu_int::{IBig, ops::BitTest};
-use hipline_num::f64_to_parts;
+use hipline_num::{common_unit, f64_to_parts};
 use std::cmp::Ordering;
 
 use super::{PlaneId, Terminal, eaves::Eave};
@@ -313,7 +313,7 @@ impl Phases {
         if used.is_empty() {
             return None;
         }
-        let (low, bits) = super::grid::common_unit(used.into_iter());
+        let (low, bits) = common_unit(used);
         Some((low + speed_unit, low + speed_unit + bits))
     }
 

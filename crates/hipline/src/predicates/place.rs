@@ -1,9 +1,8 @@
 //! Places of nodes: their definitions, their order along an edge, their rounded coordinates.
 
-use dashu_int::IBig;
 use hipline_num::{
-    BallDd, Fixed, Integer, Limbs, Number, Sign, Surd, compare_quotient_f64, f64_to_parts,
-    round_ball_dd_plus, round_fixed_plus, round_quotient_plus,
+    BallDd, Fixed, Integer, Limbs, Number, Sign, Surd, compare_quotient_f64, in_units,
+    power_of_two, round_ball_dd_plus, round_fixed_plus, round_quotient_plus,
 };
 use std::cmp::Ordering;
 
@@ -89,20 +88,13 @@ pub(super) fn input<T: Rung>(planes: &Planes, [x, y]: [f64; 2]) -> Point<T> {
         let back = x - d;
         let is_exact = back.total_cmp(&origin).is_eq() && (d + back).total_cmp(&x).is_eq();
         if is_exact && planes.shift == 0 && planes.unit.abs() < 512 {
-            let scaled = d * 2.0_f64.powi(-planes.unit);
+            let scaled = d * power_of_two(-planes.unit);
             if scaled.abs() < (1_i64 << 53) as f64 {
                 return T::from_i64(scaled as i64);
             }
         }
-        let scaled = |x: f64| {
-            let (mantissa, exponent) = f64_to_parts(x);
-            if mantissa == IBig::ZERO {
-                mantissa
-            } else {
-                mantissa << (exponent - planes.unit) as usize
-            }
-        };
-        T::integer(&(scaled(x) - scaled(origin)), planes.shift)
+        let difference = in_units(x, planes.unit) - in_units(origin, planes.unit);
+        T::integer(&difference, planes.shift)
     };
     Point {
         x: coordinate(x, planes.origin[0]),

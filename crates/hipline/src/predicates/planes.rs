@@ -8,11 +8,12 @@
 
 use dashu_int::{IBig, UBig, ops::Gcd, ops::UnsignedAbs};
 use hipline_num::{
-    Ball, BallDd, Number, Rough, Rungs, Sign, Surd, Wide, f64_to_parts, perfect_root,
+    Ball, BallDd, Number, Rough, Rungs, Sign, Surd, Wide, common_unit, f64_to_parts, in_units,
+    perfect_root,
 };
 use std::cell::Cell;
 
-use super::grid::{common_unit, gcd, near, near_big, scaled, scaled_small, small_root};
+use super::grid::{gcd, near, near_big, small_in_units, small_root};
 use super::phases::{self, Phases};
 use super::speeds;
 use super::{
@@ -395,13 +396,13 @@ impl Planes {
         };
         // With bits <= SMALL the differences have one more digit, c has 2 SMALL + 3.
         if bits <= SMALL {
-            let origin = origin.map(|x| scaled_small(x, unit));
+            let origin = origin.map(|x| small_in_units(x, unit));
             let points: Vec<[i64; 2]> = vertices
                 .iter()
                 .map(|v| {
                     [
-                        scaled_small(v[0], unit) - origin[0],
-                        scaled_small(v[1], unit) - origin[1],
+                        small_in_units(v[0], unit) - origin[0],
+                        small_in_units(v[1], unit) - origin[1],
                     ]
                 })
                 .collect();
@@ -414,13 +415,13 @@ impl Planes {
                 planes.push_small(q[0] - p[0], q[1] - p[1], q);
             }
         } else {
-            let origin = origin.map(|x| scaled(x, unit));
+            let origin = origin.map(|x| in_units(x, unit));
             let points: Vec<[IBig; 2]> = vertices
                 .iter()
                 .map(|v| {
                     [
-                        scaled(v[0], unit) - &origin[0],
-                        scaled(v[1], unit) - &origin[1],
+                        in_units(v[0], unit) - &origin[0],
+                        in_units(v[1], unit) - &origin[1],
                     ]
                 })
                 .collect();

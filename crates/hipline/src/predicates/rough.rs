@@ -1,7 +1,7 @@
 //! Planes in the numbers that are asked before all others.
 
 use dashu_int::IBig;
-use hipline_num::{Ball, BallDd, Rough};
+use hipline_num::{Ball, BallDd, Rough, exponent};
 
 use super::{
     eaves::{Tilted, tabled},
@@ -25,11 +25,6 @@ pub(super) fn line(near: &[BallDd; 4], integers: bool) -> [f64; 4] {
         let zero = x.value() == 0.0 && x.error() == 0.0;
         known(x.ldexp(scale).value(), zero)
     })
-}
-
-/// The exponent of a positive number; that of a subnormal one does not matter.
-const fn exponent(value: f64) -> i32 {
-    (value.to_bits() >> 52) as i32 - 1023
 }
 
 /// The number to make a [`Rough`] of, NaN if it is too small; whether it is zero is known apart.

@@ -4,7 +4,7 @@
 //! lines cross, and on which side of a third one that is, are signs of polynomials. Nothing is computed from such a crossing.
 
 use dashu_int::IBig;
-use hipline_num::{Ball, Sign};
+use hipline_num::{Ball, Sign, ldexp};
 use std::{cmp::Ordering, sync::Arc};
 
 use super::{
@@ -167,15 +167,15 @@ impl Planes {
     /// Bounds of the coordinates of a corner, in the input's units.
     pub(crate) fn bounds_of(&self, corner: &CellCorner) -> [[f64; 2]; 2] {
         let [x, y, w] = point::<Ball>(self, corner);
-        let unit = 2.0_f64.powi(self.unit + self.shift);
+        let scaled = |x: f64| ldexp(x, self.unit + self.shift);
         [(x, 0), (y, 1)].map(|(p, axis)| {
             let at = p.div(&w);
             if !at.error().is_finite() {
                 return [f64::NEG_INFINITY, f64::INFINITY];
             }
             let origin = self.origin[axis];
-            let low = ((at.lower() * unit).next_down() + origin).next_down();
-            let high = ((at.upper() * unit).next_up() + origin).next_up();
+            let low = (scaled(at.lower()).next_down() + origin).next_down();
+            let high = (scaled(at.upper()).next_up() + origin).next_up();
             if low.is_finite() && high.is_finite() {
                 [low, high]
             } else {

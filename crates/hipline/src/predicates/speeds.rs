@@ -1,11 +1,10 @@
 //! The speeds of planes, and the planes that exist because speeds change.
 
 use dashu_int::IBig;
-use hipline_num::{BallDd, Number};
+use hipline_num::{BallDd, Number, common_unit, in_units};
 
 use super::{
     Terminal,
-    grid::{common_unit, scaled},
     phases::{self, Phases},
     planes::{Line, PlaneId, Planes, Rung, Speeds, exact_time},
 };
@@ -92,7 +91,7 @@ impl Planes {
             0
         };
         let all = all(figure, terminals, &self.phases);
-        let mut exact: Vec<IBig> = all.map(|w| scaled(w, unit)).collect();
+        let mut exact: Vec<IBig> = all.map(|w| in_units(w, unit)).collect();
         self.time_unit = self.unit - unit;
         self.add_later_phases();
         self.add_eaves(figure, unit, shift);

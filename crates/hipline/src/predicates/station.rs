@@ -7,7 +7,10 @@
 //! of the input, whatever events made the arc.
 
 use dashu_int::IBig;
-use hipline_num::{BallDd, Sign, Surd, f64_to_parts, round_ball_dd_plus, round_quotient_plus};
+use hipline_num::{
+    BallDd, Sign, Surd, common_unit, in_units, power_of_two, round_ball_dd_plus,
+    round_quotient_plus,
+};
 use std::cmp::Ordering;
 
 use super::{
@@ -31,16 +34,12 @@ pub(crate) struct Station {
 impl Station {
     /// The point with finite coordinates.
     pub(crate) fn new(planes: &Planes, [x, y]: [f64; 2]) -> Self {
-        let parts = [x, y, planes.origin[0], planes.origin[1]].map(f64_to_parts);
-        let set = parts.iter().filter(|(mantissa, _)| *mantissa != IBig::ZERO);
-        let unit = set.map(|&(_, e)| e).fold(planes.unit, i32::min);
-        let [x, y, u, v] = parts.map(|(mantissa, exponent)| {
-            if mantissa == IBig::ZERO {
-                mantissa
-            } else {
-                mantissa << (exponent - unit) as usize
-            }
-        });
+        let parts = [x, y, planes.origin[0], planes.origin[1]];
+        let unit = match common_unit(parts) {
+            (unit, digits) if digits > 0 => unit.min(planes.unit),
+            _ => planes.unit,
+        };
+        let [x, y, u, v] = parts.map(|x| in_units(x, unit));
         let (x, y) = (x - u, y - v);
         let w = IBig::ONE << (planes.unit - unit) as usize;
         let small = small([&x, &y, &w]);
@@ -354,8 +353,8 @@ impl Planes {
 /// underflows is far below the bound.
 pub(crate) fn rough_side(p: [f64; 2], q: [f64; 2], r: [f64; 2]) -> Option<Sign> {
     const SLACK: f64 = 1.0 / (1_u64 << 46) as f64;
-    const LARGE: f64 = f64::from_bits((1023 + 400) << 52);
-    const SMALL: f64 = f64::from_bits((1023 - 400) << 52);
+    const LARGE: f64 = power_of_two(400);
+    const SMALL: f64 = power_of_two(-400);
     let size = [p, q, r]
         .iter()
         .flatten()

@@ -3,8 +3,7 @@
 //! Differences of `f64` are not exact in general, so this is no determinant of three points; where
 //! the filter abstains, integers decide.
 
-use dashu_int::IBig;
-use hipline_num::Sign;
+use hipline_num::{Sign, common_unit, in_units};
 
 /// Relative error of the determinant: each difference is off by a half unit in the last place, so each
 /// product by three halves and a little, and the difference of the products by one more half.
@@ -35,18 +34,8 @@ pub(crate) fn turn(one: [[f64; 2]; 2], other: [[f64; 2]; 2]) -> Sign {
 }
 
 fn by_integers(points: [[f64; 2]; 4]) -> Sign {
-    let parts = points.map(|point| point.map(hipline_num::f64_to_parts));
-    let used = parts.iter().flatten().filter(|part| part.0 != IBig::ZERO);
-    let unit = used.map(|part| part.1).min().unwrap_or(0);
-    let [a, b, c, d] = parts.map(|point| {
-        point.map(|(mantissa, exponent)| {
-            if mantissa == IBig::ZERO {
-                mantissa
-            } else {
-                mantissa << (exponent - unit) as usize
-            }
-        })
-    });
+    let (unit, _) = common_unit(points.into_iter().flatten());
+    let [a, b, c, d] = points.map(|point| point.map(|x| in_units(x, unit)));
     let [dx, dy] = [&b[0] - &a[0], &b[1] - &a[1]];
     let [ex, ey] = [&d[0] - &c[0], &d[1] - &c[1]];
     Sign::from((dx * ey).cmp(&(dy * ex)))

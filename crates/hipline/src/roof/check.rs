@@ -8,7 +8,7 @@ use super::{
 };
 use crate::topology::Sets;
 use dashu_int::IBig;
-use hipline_num::f64_to_parts;
+use hipline_num::{common_unit, in_units};
 
 /// One reason why a mesh is not the boundary of a solid. Triangles are numbers in
 /// [`Mesh::triangles`], vertices in [`Mesh::vertices`], facets in [`Mesh::facets`].
@@ -212,23 +212,8 @@ impl Mesh {
     /// The volume under the triangles: a sum of determinants, by integers.
     fn has_positive_volume(&self, triangles: impl Iterator<Item = usize> + Clone) -> bool {
         let corners = || triangles.clone().flat_map(|t| self.triangles[t]);
-        let parts = |v: u32| self.vertices[v as usize].map(f64_to_parts);
-        let is_zero = |mantissa: &IBig| *mantissa == IBig::ZERO;
-        let unit = corners()
-            .flat_map(parts)
-            .filter(|(mantissa, _)| !is_zero(mantissa))
-            .map(|(_, exponent)| exponent)
-            .min()
-            .unwrap_or(0);
-        let whole = |v: u32| {
-            parts(v).map(|(mantissa, exponent)| {
-                if is_zero(&mantissa) {
-                    mantissa
-                } else {
-                    mantissa << (exponent - unit) as usize
-                }
-            })
-        };
+        let (unit, _) = common_unit(corners().flat_map(|v| self.vertices[v as usize]));
+        let whole = |v: u32| self.vertices[v as usize].map(|x| in_units(x, unit));
         let Some(origin) = corners().next().map(whole) else {
             return false;
         };
