@@ -83,7 +83,7 @@ impl<N: Number> Merge<'_, '_, N> {
     }
 
     fn kinds(&self) -> [Kind; 2] {
-        [self.lower, self.upper].map(|wave| self.graph.kind(wave))
+        [self.graph.kind(self.lower), self.graph.kind(self.upper)]
     }
 
     /// Where the tip goes: by how much in x and y.
@@ -186,7 +186,7 @@ impl<N: Number> Merge<'_, '_, N> {
                 let lower = self.leave(Side::Lower);
                 [lower, self.leave_wall(Side::Upper, lower)]
             }
-            _ => [Side::Lower, Side::Upper].map(|side| self.leave(side)),
+            _ => [self.leave(Side::Lower), self.leave(Side::Upper)],
         }
     }
 

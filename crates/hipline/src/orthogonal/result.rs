@@ -182,7 +182,9 @@ impl<N: Number> Walk<'_, '_, N> {
         for edge in 0..ring.count() {
             let wave = ring.wave(edge);
             let first = self.corners.len();
-            self.corners.extend(ring.base(wave).map(NodeId::raw));
+            let [west, east] = ring.base(wave);
+            self.corners.push(NodeId::raw(west));
+            self.corners.push(NodeId::raw(east));
             self.around(wave);
             if let Some(corners) = self.walls.corners(wave) {
                 // One of several edges of a wall: the corners of its own piece of the joint face.
@@ -308,14 +310,15 @@ impl Arcs<'_, '_> {
     /// An arc, unless it has no length.
     #[inline]
     fn arc(&mut self, ends: [u32; 2], faces: [u32; 2], kind: ArcKind) -> Option<Arc> {
-        let nodes = ends.map(|node| self.names.id(node));
-        let faces = faces.map(|wave| FaceId::raw(self.ring.edge(wave)));
+        let nodes = [self.names.id(ends[0]), self.names.id(ends[1])];
+        let faces = [self.ring.edge(faces[0]), self.ring.edge(faces[1])];
+        let faces = [FaceId::raw(faces[0]), FaceId::raw(faces[1])];
         (nodes[0] != nodes[1]).then_some(Arc { nodes, faces, kind })
     }
 
     #[inline]
     fn of_link(&mut self, link: &Link, Piece { ends, faces }: Piece) -> Option<Arc> {
-        let kind = match [link.west, link.east].map(|wave| self.ring.kind(wave)) {
+        let kind = match [self.ring.kind(link.west), self.ring.kind(link.east)] {
             [Kind::Level, Kind::Level] => ArcKind::Ghost,
             [Kind::Level, Kind::East] | [Kind::West, Kind::Level] => ArcKind::Valley,
             _ => ArcKind::Ridge,
@@ -330,7 +333,7 @@ impl Arcs<'_, '_> {
 
     #[inline]
     fn of_seam(&mut self, seam: &Seam, Piece { ends, faces }: Piece) -> Option<Arc> {
-        let kinds = [seam.lower, seam.upper].map(|wave| self.ring.kind(wave));
+        let kinds = [self.ring.kind(seam.lower), self.ring.kind(seam.upper)];
         let kind = match kinds {
             [Kind::East, Kind::East] | [Kind::West, Kind::West] => ArcKind::Ghost,
             _ => ArcKind::Ridge,
