@@ -288,7 +288,7 @@ pub(super) fn are_small_integers(points: &[[f64; 2]]) -> bool {
     let fault = |x: f64| {
         let sum = x + SIZE;
         let integer = sum.to_bits().wrapping_sub(SIZE.to_bits());
-        integer.wrapping_add(LIMIT) / (2 * LIMIT) | (sum - SIZE - x).to_bits()
+        (integer.wrapping_add(LIMIT) / (2 * LIMIT)) | (sum - SIZE - x).to_bits()
     };
     points.chunks(1024).all(|some| {
         some.iter()
@@ -381,12 +381,64 @@ mod tests {
     #[test]
     fn wide_integers_are_like_narrow_ones() {
         for a in numbers() {
-            assert_eq!(wide(a).round().to_bits(), Number::round(a).to_bits(), "{a}");
+            assert_eq!(
+                wide(a).round().to_bits(),
+                Integer::round(a).to_bits(),
+                "{a}"
+            );
             assert_eq!((wide(a) + wide(a)).half(), wide(a), "{a}");
             for b in numbers() {
                 assert_eq!(wide(a) + wide(b), wide(a + b), "{a} + {b}");
                 assert_eq!(wide(a) - wide(b), wide(a - b), "{a} - {b}");
                 assert_eq!(wide(a).cmp(&wide(b)), a.cmp(&b), "{a} and {b}");
+            }
+        }
+    }
+
+    #[test]
+    fn small_integers_are_told_from_others() {
+        let limit = (1_u64 << Float::DIGITS) as f64;
+        let small = [0.0, 1.0, -1.0, 12_345.0, limit - 1.0, 1.0 - limit];
+        let others = [
+            0.5,
+            -0.125,
+            limit - 0.5,
+            limit,
+            -limit - 1.0,
+            4.0 * limit,
+            8.0 * limit,
+            -3.0 * limit,
+            64.0 * limit,
+            1e-300,
+            5e-324,
+            1e300,
+            -1e300,
+        ];
+        assert!(are_small_integers(&small.map(|x| [x, -x])));
+        for other in others {
+            assert!(!are_small_integers(&[[0.0, 1.0], [2.0, other]]), "{other}");
+            assert!(!are_small_integers(&[[other, 1.0]]), "{other}");
+        }
+        let mut many = vec![[1.0, 2.0]; 3000];
+        assert!(are_small_integers(&many));
+        many[2500][1] = 0.5;
+        assert!(!are_small_integers(&many));
+    }
+
+    #[test]
+    fn sums_of_floats_are_those_of_integers() {
+        let limit = (1_i64 << Float::DIGITS) - 1;
+        let values = [0, 1, 2, 3, 1 << 40, limit - 1, limit, -1, -7, -limit];
+        let float = |x: i64| Float::count(&Unit::ONE, x as f64);
+        for a in values {
+            for b in values {
+                for c in values {
+                    let sum = (float(a) + float(b) - (-float(c) + float(b))).half();
+                    let due = Number::half(2 * (a + b - (b - c)));
+                    let due: f64 = i64::value(due, &Unit::ONE);
+                    assert_eq!(sum.value(&Unit::ONE).to_bits(), due.to_bits());
+                    assert_eq!((float(a) + float(b)).cmp(&float(c)), (a + b).cmp(&c));
+                }
             }
         }
     }
@@ -407,6 +459,7 @@ mod tests {
                 assert!(unit.digits <= Wide::DIGITS, "{list:?}");
                 let count: Wide = unit.count(x);
                 assert_eq!(unit.value(count).to_bits(), x.to_bits(), "{x}");
+                assert_eq!(Float::count(&unit, x).value(&unit).to_bits(), x.to_bits());
                 if unit.digits <= i64::DIGITS {
                     let count: i64 = unit.count(x);
                     assert_eq!(unit.value(count).to_bits(), x.to_bits(), "{x}");
