@@ -1,17 +1,16 @@
 //! The engine for monotone polygons beside the kinetic one, in one run, per vertex: the figure, either skeleton, the
 //! triangulation that only the kinetic engine needs; and decisions (signs of exact numbers), which are the same in every run.
-//! Ratios are of everything from the points to the skeleton, and of the skeletons alone without the triangulation.
+//! Times are those of the processor, so that other programs disturb less. Ratios are of everything from the points to the skeleton, and of the skeletons alone without the triangulation.
 //!
 //! `cargo run --release -p hipline-bench --example monotone -- [LARGEST] [LARGEST_KINETIC]`
 
-use std::time::Instant;
-
+use cpu_time::ThreadTime;
 use hipline::{Engine, Figure, FigureBuilder, Options, Skeleton};
 use hipline_testkit::generate::monotone_large;
 
 /// The result and how long it took, in microseconds.
 fn timed<T>(run: impl FnOnce() -> T) -> (T, f64) {
-    let start = Instant::now();
+    let start = ThreadTime::now();
     let result = run();
     (result, start.elapsed().as_secs_f64() * 1e6)
 }

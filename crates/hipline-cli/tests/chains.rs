@@ -176,6 +176,17 @@ fn what_is_no_chain_is_refused() {
     assert!(fails(&both, CHAIN, 2).contains("--side"));
     let offset = ["offset", "-", "--chain", "left", "-d", "1"];
     assert!(fails(&offset, CHAIN, 2).contains("--chain"));
+    let by = |engine| [&chain[..], &["--engine", engine]].concat();
+    for engine in ["kinetic", "envelope", "orthogonal"] {
+        let said = fails(&by(engine), CHAIN, 2);
+        assert!(
+            said.contains("--chain is for the monotone engine"),
+            "{said}"
+        );
+    }
+    for engine in ["auto", "monotone"] {
+        assert_eq!(out(&by(engine), CHAIN), out(&chain, CHAIN), "{engine}");
+    }
 }
 
 #[test]

@@ -1,6 +1,7 @@
 //! Skeletons of chains against the kinetic engine on lines whose ends are prolonged far beyond anything that
 //! happens: what is finite must be the same, arc for arc and bit for bit, and what goes to infinity must start alike.
 
+use hipline::offset::InvalidOffset;
 use hipline::skeleton::Side;
 use hipline::{Chain, Engine, InvalidChain, Options, Skeleton};
 use hipline_testkit::Case;
@@ -117,4 +118,27 @@ fn chains_that_are_none_are_refused() {
         "the ray of edge 0 vanishes at once, as far as it goes"
     );
     assert_eq!(chain.skeleton(Side::Start), Err(InvalidChain::NoSide));
+}
+
+#[test]
+fn wavefronts_of_chains_are_no_loops() {
+    for seed in 0..200 {
+        let case = chain_small(seed);
+        let figure = case.figure().expect("a figure");
+        for side in [Side::Left, Side::Right] {
+            let Ok(skeleton) = Chain::new(&figure).and_then(|chain| chain.skeleton(side)) else {
+                continue;
+            };
+            assert!(skeleton.is_of_chain(), "{seed}");
+            for distance in [0.0, 0.5, 1e9] {
+                let refused = skeleton.offset(&figure, distance);
+                assert_eq!(refused, Err(InvalidOffset::Chain), "{seed}");
+            }
+        }
+        let whole = figure.skeleton(Options::default());
+        assert!(!whole.is_of_chain(), "{seed}");
+        whole
+            .offset(&figure, 0.5)
+            .expect("a whole skeleton has offsets");
+    }
 }

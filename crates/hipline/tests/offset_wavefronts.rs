@@ -6,7 +6,7 @@ mod offset_support;
 
 use hipline::{
     Figure, FigureBuilder, Options, Region,
-    offset::{InvalidDistance, Offset, Part},
+    offset::{InvalidOffset, Offset, Part},
 };
 use offset_support::{ELL, FUNNEL, HOLE, OUTER, PLUS, RECTANGLE, SQUARE, area, lines, polygon};
 
@@ -257,7 +257,7 @@ fn wrong_distances() {
     for wrong in [-1.0, f64::INFINITY, f64::NEG_INFINITY] {
         assert_eq!(
             skeleton.offsets(&figure, &[1.0, wrong]),
-            Err(InvalidDistance(wrong))
+            Err(InvalidOffset::Distance(wrong))
         );
     }
     assert!(skeleton.offset(&figure, f64::NAN).is_err());

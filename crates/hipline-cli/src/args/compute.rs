@@ -83,6 +83,13 @@ pub enum EngineArg {
     Envelope,
 }
 
+impl EngineArg {
+    /// Whether it computes the skeleton of a chain.
+    pub const fn is_for_chains(self) -> bool {
+        matches!(self, Self::Auto | Self::Monotone)
+    }
+}
+
 impl From<EngineArg> for Engine {
     fn from(engine: EngineArg) -> Self {
         match engine {

@@ -21,6 +21,10 @@ const FORMATS: [OutputFormat; 6] = [Json, Geojson, Wkt, Obj, Svg, Png];
 pub fn run(args: &SkeletonArgs) -> Result<Outcome, Failure> {
     let targets = output::targets(&args.output, Json, &FORMATS)?;
     super::warn_of_labels(args.picture.labels, &targets);
+    if args.chain.is_some() && !args.compute.engine.is_for_chains() {
+        let message = "--chain is for the monotone engine: no other one computes chains";
+        return Err(Failure::Usage(message.to_owned()));
+    }
     let mut watch = Watch::start();
     let document = input::weighted(&args.input, &args.gables)?;
     let items = Item::all(&document, args.input.together);

@@ -111,7 +111,7 @@ impl<'a> Chain<'a> {
     /// the first and the last face are rays: where the boundary of such a face goes from the line's last
     /// vertex (or, before its first one, from infinity), it goes along the ray. Its region is
     /// [`Region::Both`], though it covers one side. What reads skeletons of whole regions is not made for it: its
-    /// wavefronts are open ([`Skeleton::offset`] does not apply), and [`Skeleton::verify`] misses the other side.
+    /// wavefronts are open, which [`Skeleton::offset`] refuses, and [`Skeleton::verify`] misses the other side.
     ///
     /// # Errors
     /// If a ray vanishes at once, all of it; and for sides that a chain does not have.

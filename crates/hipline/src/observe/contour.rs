@@ -3,7 +3,7 @@
 use super::Window;
 use crate::{
     input::Figure,
-    offset::{InvalidDistance, Offset},
+    offset::{InvalidOffset, Offset},
     skeleton::Skeleton,
 };
 
@@ -26,6 +26,9 @@ pub enum InvalidStep {
     /// A time is negative, infinite or no number.
     #[error("a contour line has no time {0}")]
     Time(f64),
+    /// The skeleton is that of a [`Chain`](crate::Chain).
+    #[error("one side of a chain has no contour lines that close")]
+    Chain,
 }
 
 /// The lines at given times, cut by a window: a line that leaves the window is in pieces.
@@ -34,7 +37,7 @@ pub enum InvalidStep {
 /// That of [`Skeleton::offsets`].
 ///
 /// # Errors
-/// A time is negative, infinite or no number.
+/// A time is negative, infinite or no number, or the skeleton is that of a chain.
 ///
 /// # Panics
 /// If the figure is not the one that the skeleton was computed from.
@@ -46,7 +49,10 @@ pub fn contours(
 ) -> Result<Vec<Contour>, InvalidStep> {
     let offsets = skeleton
         .offsets(figure, times)
-        .map_err(|InvalidDistance(time)| InvalidStep::Time(time))?;
+        .map_err(|reason| match reason {
+            InvalidOffset::Distance(time) => InvalidStep::Time(time),
+            InvalidOffset::Chain => InvalidStep::Chain,
+        })?;
     Ok(offsets.iter().flat_map(|o| cut(o, window)).collect())
 }
 

@@ -31,10 +31,18 @@ use crate::{
 };
 use hipline_num::hypot;
 
-/// A distance that is negative, infinite or no number.
+/// Why there is no offset.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
-#[error("an offset's distance must be finite and not below 0, unlike {0}")]
-pub struct InvalidDistance(pub f64);
+#[non_exhaustive]
+pub enum InvalidOffset {
+    /// A distance is negative, infinite or no number.
+    #[error("an offset's distance must be finite and not below 0, unlike {0}")]
+    Distance(f64),
+    /// The skeleton is that of one side of a [`Chain`](crate::Chain): its wavefronts go on to infinity, so that
+    /// they are no loops.
+    #[error("the wavefronts of a chain are open: they have no loops")]
+    Chain,
+}
 
 /// A closed piece of the wavefront.
 ///
@@ -188,11 +196,11 @@ impl Skeleton {
     /// [`Skeleton::offsets`] takes as long for one more distance as its points take.
     ///
     /// # Errors
-    /// If the distance is negative, infinite or no number.
+    /// If the distance is negative, infinite or no number, or the skeleton that of a chain.
     ///
     /// # Panics
     /// If the figure is not the one that the skeleton was computed from.
-    pub fn offset(&self, figure: &Figure, distance: f64) -> Result<Offset, InvalidDistance> {
+    pub fn offset(&self, figure: &Figure, distance: f64) -> Result<Offset, InvalidOffset> {
         let mut list = self.offsets(figure, &[distance])?;
         Ok(list.swap_remove(0))
     }
@@ -204,7 +212,7 @@ impl Skeleton {
     /// several edges in one face: no distance looks at arcs or faces that it does not cross.
     ///
     /// # Errors
-    /// If a distance is negative, infinite or no number.
+    /// If a distance is negative, infinite or no number, or the skeleton that of a chain.
     ///
     /// # Panics
     /// If the figure is not the one that the skeleton was computed from.
@@ -212,9 +220,12 @@ impl Skeleton {
         &self,
         figure: &Figure,
         distances: &[f64],
-    ) -> Result<Vec<Offset>, InvalidDistance> {
+    ) -> Result<Vec<Offset>, InvalidOffset> {
+        if self.is_of_chain() {
+            return Err(InvalidOffset::Chain);
+        }
         if let Some(&wrong) = distances.iter().find(|d| !(d.is_finite() && **d >= 0.0)) {
-            return Err(InvalidDistance(wrong));
+            return Err(InvalidOffset::Distance(wrong));
         }
         // Adding 0 turns -0 into 0.
         let mut sorted: Vec<f64> = distances.iter().map(|d| d + 0.0).collect();

@@ -130,7 +130,7 @@ impl<N: Number> Growth<'_, '_, N> {
             let (node, wall) = self.close_level(from, west, wave, ray);
             // Two walls face to face, up to where the first of them ends.
             let (x, _) = self.spot(node);
-            let left = self.graph.left_last[wall as usize];
+            let left = self.graph.borders[wall as usize].left_last;
             let left_end = (left != NONE).then(|| {
                 let (a, b) = self.spot(self.graph.link(left).from);
                 b + (x - a)
@@ -172,7 +172,7 @@ impl<N: Number> Growth<'_, '_, N> {
     /// The left ray of the last unbounded face, if it goes to the upper right.
     fn rising_ray(&self) -> u32 {
         let last = self.unbounded[self.unbounded.len() - 1];
-        let ray = self.graph.left_last[last as usize];
+        let ray = self.graph.borders[last as usize].left_last;
         let rises = ray != NONE && {
             let link = self.graph.link(ray);
             [link.west, link.east]
@@ -266,7 +266,7 @@ impl<N: Number> Growth<'_, '_, N> {
         for ghost in std::mem::take(&mut self.ghosts) {
             if at.0 != ghost.depth {
                 let face = self.unbounded[ghost.depth - 1];
-                let ray = self.graph.left_last[face as usize];
+                let ray = self.graph.borders[face as usize].left_last;
                 let rises = ray != NONE && self.graph.kind(self.graph.link(ray).west) == Kind::East;
                 at = (ghost.depth, if rises { ray } else { NONE });
             }

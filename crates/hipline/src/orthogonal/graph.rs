@@ -1,5 +1,7 @@
 //! The growing skeletons of both chains: arcs, and the chains of arcs that bound each face.
 
+use std::ops::Range;
+
 use super::{
     number::Number,
     ring::{Kind, Ring, Side, Spot},
@@ -25,6 +27,24 @@ pub(super) struct Link {
     pub below: u32,
 }
 
+/// The ends of the chains of arcs that bound a face.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Border {
+    /// The first and the last arc of the right chain.
+    pub right_first: u32,
+    pub right_last: u32,
+    /// The last arc of the left chain.
+    pub left_last: u32,
+}
+
+impl Border {
+    const NONE: Self = Self {
+        right_first: NONE,
+        right_last: NONE,
+        left_last: NONE,
+    };
+}
+
 /// An arc of the merge chain, from west to east.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Seam {
@@ -47,10 +67,8 @@ pub(super) struct Graph<'a, N> {
     pub ring: Ring<'a>,
     pub links: Vec<Link>,
     pub events: Vec<Event<N>>,
-    /// For each wave, the first and the last arc of its right chain, and the last one of its left chain.
-    pub right_first: Vec<u32>,
-    pub right_last: Vec<u32>,
-    pub left_last: Vec<u32>,
+    /// For each wave, what bounds its face.
+    pub borders: Vec<Border>,
     /// The merge chain.
     pub seams: Vec<Seam>,
     /// Pairs of an event and the node that it was found to be.
@@ -65,9 +83,7 @@ impl<'a, N: Number> Graph<'a, N> {
         Self {
             links: Vec::with_capacity(2 * n),
             events: Vec::with_capacity(2 * n),
-            right_first: vec![NONE; n],
-            right_last: vec![NONE; n],
-            left_last: vec![NONE; n],
+            borders: vec![Border::NONE; n],
             seams: Vec::with_capacity(n),
             same: Vec::new(),
             steps: 0,
@@ -114,6 +130,33 @@ impl<'a, N: Number> Graph<'a, N> {
         }
     }
 
+    /// The arcs of the merge chain beside a face. They follow one another, and those of the next face
+    /// of its chain follow them; so the search goes on from where the last one ended.
+    pub(super) fn visits(&self, last: &mut Visits, wave: u32) -> Range<u32> {
+        let n = self.seams.len();
+        let upper = self.ring.side(wave) == Side::Upper;
+        let position = &mut last.0[usize::from(upper)];
+        // From west to east it grows.
+        let rank = |k: usize| {
+            let seam = &self.seams[k];
+            if upper { !seam.upper } else { seam.lower }
+        };
+        let own = if upper { !wave } else { wave };
+        let mut first = *position;
+        while first < n && rank(first) < own {
+            first += 1;
+        }
+        while first > 0 && rank(first - 1) >= own {
+            first -= 1;
+        }
+        let mut end = first;
+        while end < n && rank(end) == own {
+            end += 1;
+        }
+        *position = first;
+        first as u32..end as u32
+    }
+
     /// Gives back what was taken in reserve.
     pub(super) fn shrink(&mut self) {
         self.links.shrink_to_fit();
@@ -133,13 +176,13 @@ impl<'a, N: Number> Graph<'a, N> {
     /// of the one in the east.
     pub(super) fn draw(&mut self, from: u32, west: u32, east: u32) -> u32 {
         let link = self.links.len() as u32;
-        let last = std::mem::replace(&mut self.right_last[west as usize], link);
+        let last = std::mem::replace(&mut self.borders[west as usize].right_last, link);
         if last == NONE {
-            self.right_first[west as usize] = link;
+            self.borders[west as usize].right_first = link;
         } else {
             self.links[last as usize].after = link;
         }
-        let below = std::mem::replace(&mut self.left_last[east as usize], link);
+        let below = std::mem::replace(&mut self.borders[east as usize].left_last, link);
         self.links.push(Link {
             from,
             to: NONE,
@@ -152,6 +195,10 @@ impl<'a, N: Number> Graph<'a, N> {
         link
     }
 }
+
+/// Where arcs of the merge chain were looked for last, beside a face of either chain.
+#[derive(Debug, Default)]
+pub(super) struct Visits([usize; 2]);
 
 /// A place of the lower chain's view in that of a chain, or the other way round.
 pub(super) fn seen<N: Number>((x, y): Spot<N>, side: Side) -> Spot<N> {

@@ -38,7 +38,7 @@ pub(super) fn merge<N: Number>(graph: &mut Graph<'_, N>) {
     let node = graph.ring.vertex(0);
     let lower = 0;
     let upper = graph.ring.count() - 1;
-    let at = [lower, upper].map(|wave| graph.right_first[wave as usize]);
+    let at = [lower, upper].map(|wave| graph.borders[wave as usize].right_first);
     let place = graph.spot(node, Side::Lower);
     Merge {
         graph,
@@ -71,11 +71,11 @@ impl<N: Number> Merge<'_, '_, N> {
             }
             if let Some(exit) = lower {
                 self.lower = self.cross(exit);
-                self.at[0] = self.graph.right_first[self.lower as usize];
+                self.at[0] = self.graph.borders[self.lower as usize].right_first;
             }
             if let Some(exit) = upper {
                 self.upper = self.cross(exit);
-                self.at[1] = self.graph.right_first[self.upper as usize];
+                self.at[1] = self.graph.borders[self.upper as usize].right_first;
             }
         }
         let last = self.graph.ring.vertex(self.graph.ring.lower);
@@ -83,7 +83,7 @@ impl<N: Number> Merge<'_, '_, N> {
     }
 
     fn kinds(&self) -> [Kind; 2] {
-        [self.lower, self.upper].map(|wave| self.graph.kind(wave))
+        [self.graph.kind(self.lower), self.graph.kind(self.upper)]
     }
 
     /// Where the tip goes: by how much in x and y.
@@ -130,7 +130,7 @@ impl<N: Number> Merge<'_, '_, N> {
     /// chain: half way between the edges after them.
     fn mouth(&self, lower: u32, upper: u32) -> N {
         let [low, high] = [lower, upper].map(|wave| {
-            let top = self.graph.right_first[wave as usize];
+            let top = self.graph.borders[wave as usize].right_first;
             self.graph.spot(self.graph.link(top).from, Side::Lower).1
         });
         (low + high).half()
@@ -169,8 +169,8 @@ impl<N: Number> Merge<'_, '_, N> {
             }
         }
         self.graph.links[exit.link as usize].to = self.node;
-        self.graph.right_last[link.west as usize] = exit.link;
-        self.graph.left_last[link.east as usize] = exit.link;
+        self.graph.borders[link.west as usize].right_last = exit.link;
+        self.graph.borders[link.east as usize].left_last = exit.link;
         link.east
     }
 
@@ -186,7 +186,7 @@ impl<N: Number> Merge<'_, '_, N> {
                 let lower = self.leave(Side::Lower);
                 [lower, self.leave_wall(Side::Upper, lower)]
             }
-            _ => [Side::Lower, Side::Upper].map(|side| self.leave(side)),
+            _ => [self.leave(Side::Lower), self.leave(Side::Upper)],
         }
     }
 
@@ -210,7 +210,7 @@ impl<N: Number> Merge<'_, '_, N> {
     /// two arcs that are reached at one place, it is left across the first.
     fn leave(&mut self, side: Side) -> Option<Exit<N>> {
         let [face, _] = self.faces(side);
-        let mut link = self.graph.right_first[face as usize];
+        let mut link = self.graph.borders[face as usize].right_first;
         let mut exit: Option<Exit<N>> = None;
         while link != NONE {
             self.graph.steps += 1;

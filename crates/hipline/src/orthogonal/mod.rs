@@ -34,11 +34,11 @@ mod runs;
 use crate::{
     engine::NotApplicable,
     input::{Figure, Monotone},
-    skeleton::{InputGraph, Region, Skeleton},
+    skeleton::{Region, Skeleton},
     topology::EdgeId,
 };
 use graph::Graph;
-use number::{Number, Unit, Wide};
+use number::{Float, Number, Unit, Wide};
 use ring::{Ring, Side};
 
 /// Whether this engine applies to a figure: all edges parallel to the axes, all of speed 1, one ring that is monotone in the
@@ -47,6 +47,13 @@ use ring::{Ring, Side};
 /// # Errors
 /// The first reason why not.
 pub(crate) fn applies(figure: &Figure, region: Region) -> Result<&Monotone, NotApplicable> {
+    if let Some(monotone) = figure.monotone()
+        && region == Region::Interior
+        && figure.is_plain()
+        && is_orthogonal(figure.vertices())
+    {
+        return Ok(monotone);
+    }
     if region != Region::Interior {
         return Err(NotApplicable::NotInterior);
     }
@@ -78,13 +85,28 @@ pub(crate) fn applies(figure: &Figure, region: Region) -> Result<&Monotone, NotA
     figure.monotone().ok_or(NotApplicable::NotMonotone)
 }
 
+/// Whether all edges of a ring are parallel to the axes.
+fn is_orthogonal(ring: &[[f64; 2]]) -> bool {
+    let parallel = |p: [f64; 2], q: [f64; 2]| (0..2).any(|k| p[k].to_bits() == q[k].to_bits());
+    ring.windows(2).all(|pair| parallel(pair[0], pair[1]))
+        && ring
+            .first()
+            .zip(ring.last())
+            .is_some_and(|(&p, &q)| parallel(p, q))
+}
+
 /// The straight skeleton of the inside.
 ///
 /// # Complexity
 /// O(n) time and memory; [`Stats::steps`](crate::skeleton::Stats::steps) counts.
 pub(crate) fn skeleton(figure: &Figure, monotone: &Monotone) -> Skeleton {
+    if number::are_small_integers(figure.vertices()) {
+        return compute::<Float>(figure, monotone, Unit::ONE);
+    }
     let unit = Unit::of(figure.vertices());
-    if unit.digits <= i64::DIGITS {
+    if unit.digits <= Float::DIGITS && unit.is_moderate {
+        compute::<Float>(figure, monotone, unit)
+    } else if unit.digits <= i64::DIGITS {
         compute::<i64>(figure, monotone, unit)
     } else if unit.digits <= i128::DIGITS {
         compute::<i128>(figure, monotone, unit)
@@ -103,16 +125,7 @@ fn compute<N: Number>(figure: &Figure, monotone: &Monotone, unit: Unit) -> Skele
     chain::grow(&mut graph, Side::Upper);
     merge::merge(&mut graph);
     graph.shrink();
-    let input = InputGraph {
-        vertices: figure.vertices().len(),
-        edges: figure
-            .edges()
-            .iter()
-            .map(|edge| [edge.from, edge.to])
-            .collect(),
-        terminals: 0,
-    };
-    result::skeleton(graph, input)
+    result::skeleton(graph)
 }
 
 #[cfg(test)]

@@ -2,7 +2,8 @@
 //!
 //! All that a skeleton of this kind consists of are sums of at most four coordinates of the input, halved.
 //! So, counted in halves of the finest unit of the input, everything is an integer a few binary digits longer than
-//! the input's: an `i64` for most figures, an `i128` for most others, and [`Wide`] for any.
+//! the input's. While that fits into the 53 digits of an f64, all sums of f64s are exact, and nothing needs to be converted
+//! ([`Float`]); otherwise it is an `i64` for most figures, an `i128` for most others, and [`Wide`] for any.
 
 use std::{
     cmp::Ordering,
@@ -10,7 +11,7 @@ use std::{
     ops::{Add, Neg, Sub},
 };
 
-/// An integer type that holds all coordinates of a figure.
+/// A type that holds all coordinates of a figure exactly.
 pub(super) trait Number:
     Copy + Ord + Debug + Add<Output = Self> + Sub<Output = Self> + Neg<Output = Self>
 {
@@ -18,12 +19,89 @@ pub(super) trait Number:
     /// doubled, fit.
     const DIGITS: i32;
     const ZERO: Self;
-    /// An integer that is not larger than announced.
-    fn of(x: f64) -> Self;
+    /// A coordinate of the figure. Exact.
+    fn count(unit: &Unit, x: f64) -> Self;
+    /// The f64 nearest to a coordinate; of two, the even one.
+    fn value(self, unit: &Unit) -> f64;
     /// Half of an even number.
     fn half(self) -> Self;
+}
+
+/// A number of halves of a unit.
+trait Integer: Copy {
+    /// An integer that is not larger than announced.
+    fn of(x: f64) -> Self;
     /// The nearest f64; of two, the even one.
     fn round(self) -> f64;
+}
+
+/// A coordinate as it is, where all of them have few digits.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Float(f64);
+
+impl Eq for Float {}
+
+impl Ord for Float {
+    #[inline]
+    fn cmp(&self, other: &Self) -> Ordering {
+        // There is no other than finite numbers, and only one zero.
+        if self.0 < other.0 {
+            Ordering::Less
+        } else if self.0 > other.0 {
+            Ordering::Greater
+        } else {
+            Ordering::Equal
+        }
+    }
+}
+
+impl PartialOrd for Float {
+    #[inline]
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl Add for Float {
+    type Output = Self;
+    #[inline]
+    fn add(self, other: Self) -> Self {
+        Self(self.0 + other.0)
+    }
+}
+
+impl Sub for Float {
+    type Output = Self;
+    #[inline]
+    fn sub(self, other: Self) -> Self {
+        Self(self.0 - other.0)
+    }
+}
+
+impl Neg for Float {
+    type Output = Self;
+    #[inline]
+    fn neg(self) -> Self {
+        Self(-self.0)
+    }
+}
+
+impl Number for Float {
+    const DIGITS: i32 = 49;
+    const ZERO: Self = Self(0.0);
+    #[inline]
+    fn count(_: &Unit, x: f64) -> Self {
+        Self(x)
+    }
+    #[inline]
+    fn value(self, _: &Unit) -> f64 {
+        // There is only one zero.
+        self.0 + 0.0
+    }
+    #[inline]
+    fn half(self) -> Self {
+        Self(0.5 * self.0)
+    }
 }
 
 macro_rules! machine_integer {
@@ -32,12 +110,25 @@ macro_rules! machine_integer {
             const DIGITS: i32 = $digits;
             const ZERO: Self = 0;
             #[inline]
-            fn of(x: f64) -> Self {
-                x as Self
+            fn count(unit: &Unit, x: f64) -> Self {
+                unit.count(x)
             }
+            #[inline]
+            fn value(self, unit: &Unit) -> f64 {
+                unit.value(self)
+            }
+            #[inline]
             fn half(self) -> Self {
                 self >> 1
             }
+        }
+
+        impl Integer for $integer {
+            #[inline]
+            fn of(x: f64) -> Self {
+                x as Self
+            }
+            #[inline]
             fn round(self) -> f64 {
                 self as f64
             }
@@ -109,6 +200,26 @@ impl Sub for Wide {
 impl Number for Wide {
     const DIGITS: i32 = 505;
     const ZERO: Self = Self([0; WORDS]);
+    fn count(unit: &Unit, x: f64) -> Self {
+        unit.count(x)
+    }
+    fn value(self, unit: &Unit) -> f64 {
+        unit.value(self)
+    }
+    fn half(self) -> Self {
+        let mut words = self.0;
+        // The sign stays.
+        let mut above = self.0[WORDS - 1] & 1 << 63;
+        for word in words.iter_mut().rev() {
+            let half = *word >> 1 | above;
+            above = *word << 63;
+            *word = half;
+        }
+        Self(words)
+    }
+}
+
+impl Integer for Wide {
     fn of(x: f64) -> Self {
         let exponent = (x.to_bits() >> 52 & 0x7ff) as usize;
         if exponent < 1023 {
@@ -128,17 +239,6 @@ impl Number for Wide {
             }
         }
         if x < 0.0 { -Self(words) } else { Self(words) }
-    }
-    fn half(self) -> Self {
-        let mut words = self.0;
-        // The sign stays.
-        let mut above = self.0[WORDS - 1] & 1 << 63;
-        for word in words.iter_mut().rev() {
-            let half = *word >> 1 | above;
-            above = *word << 63;
-            *word = half;
-        }
-        Self(words)
     }
     fn round(self) -> f64 {
         let size = if self.is_negative() { -self } else { self };
@@ -175,9 +275,37 @@ pub(super) struct Unit {
     down: [f64; 2],
     /// Binary digits of the largest coordinate, in the finest unit.
     pub digits: i32,
+    /// Whether the digits are all that keeps coordinates from being an f64: none is too small, none too large.
+    pub is_moderate: bool,
+}
+
+/// Whether all coordinates are integers of few digits, as [`Float`] takes them: asked first, because it costs next to nothing.
+pub(super) fn are_small_integers(points: &[[f64; 2]]) -> bool {
+    // A sum of this size has no digits behind the point, and ends in those of the integer.
+    const SIZE: f64 = 1.5 * (1_u64 << 52) as f64;
+    const LIMIT: u64 = 1 << Float::DIGITS;
+    // Zero if it is one. No branches, so that several are asked at once.
+    let fault = |x: f64| {
+        let sum = x + SIZE;
+        let integer = sum.to_bits().wrapping_sub(SIZE.to_bits());
+        (integer.wrapping_add(LIMIT) / (2 * LIMIT)) | (sum - SIZE - x).to_bits()
+    };
+    points.chunks(1024).all(|some| {
+        some.iter()
+            .fold(0, |all, &[x, y]| all | fault(x) | fault(y))
+            == 0
+    })
 }
 
 impl Unit {
+    /// The unit of integers.
+    pub(super) const ONE: Self = Self {
+        up: [2.0, 1.0],
+        down: [0.5, 1.0],
+        digits: Float::DIGITS,
+        is_moderate: true,
+    };
+
     /// The finest unit that a list of points needs.
     pub(super) fn of(points: &[[f64; 2]]) -> Self {
         let (mut finest, mut largest) = (i32::MAX, i32::MIN);
@@ -205,12 +333,13 @@ impl Unit {
             up: halves(1 - finest),
             down: halves(finest - 1),
             digits: largest - finest,
+            is_moderate: finest > -1000 && largest < 1000,
         }
     }
 
     /// A coordinate in halves of the unit. Exact.
     #[inline]
-    pub(super) fn count<N: Number>(&self, x: f64) -> N {
+    fn count<N: Integer>(&self, x: f64) -> N {
         N::of(x * self.up[0] * self.up[1])
     }
 
@@ -219,7 +348,7 @@ impl Unit {
     /// It is rounded once: either the number has more digits than an f64 and the product is no smaller than the
     /// input, or it has not, so that only the last product may round.
     #[inline]
-    pub(super) fn value<N: Number>(&self, x: N) -> f64 {
+    fn value<N: Integer>(&self, x: N) -> f64 {
         x.round() * self.down[0] * self.down[1]
     }
 }
@@ -252,12 +381,64 @@ mod tests {
     #[test]
     fn wide_integers_are_like_narrow_ones() {
         for a in numbers() {
-            assert_eq!(wide(a).round().to_bits(), Number::round(a).to_bits(), "{a}");
+            assert_eq!(
+                wide(a).round().to_bits(),
+                Integer::round(a).to_bits(),
+                "{a}"
+            );
             assert_eq!((wide(a) + wide(a)).half(), wide(a), "{a}");
             for b in numbers() {
                 assert_eq!(wide(a) + wide(b), wide(a + b), "{a} + {b}");
                 assert_eq!(wide(a) - wide(b), wide(a - b), "{a} - {b}");
                 assert_eq!(wide(a).cmp(&wide(b)), a.cmp(&b), "{a} and {b}");
+            }
+        }
+    }
+
+    #[test]
+    fn small_integers_are_told_from_others() {
+        let limit = (1_u64 << Float::DIGITS) as f64;
+        let small = [0.0, 1.0, -1.0, 12_345.0, limit - 1.0, 1.0 - limit];
+        let others = [
+            0.5,
+            -0.125,
+            limit - 0.5,
+            limit,
+            -limit - 1.0,
+            4.0 * limit,
+            8.0 * limit,
+            -3.0 * limit,
+            64.0 * limit,
+            1e-300,
+            5e-324,
+            1e300,
+            -1e300,
+        ];
+        assert!(are_small_integers(&small.map(|x| [x, -x])));
+        for other in others {
+            assert!(!are_small_integers(&[[0.0, 1.0], [2.0, other]]), "{other}");
+            assert!(!are_small_integers(&[[other, 1.0]]), "{other}");
+        }
+        let mut many = vec![[1.0, 2.0]; 3000];
+        assert!(are_small_integers(&many));
+        many[2500][1] = 0.5;
+        assert!(!are_small_integers(&many));
+    }
+
+    #[test]
+    fn sums_of_floats_are_those_of_integers() {
+        let limit = (1_i64 << Float::DIGITS) - 1;
+        let values = [0, 1, 2, 3, 1 << 40, limit - 1, limit, -1, -7, -limit];
+        let float = |x: i64| Float::count(&Unit::ONE, x as f64);
+        for a in values {
+            for b in values {
+                for c in values {
+                    let sum = (float(a) + float(b) - (-float(c) + float(b))).half();
+                    let due = Number::half(2 * (a + b - (b - c)));
+                    let due: f64 = i64::value(due, &Unit::ONE);
+                    assert_eq!(sum.value(&Unit::ONE).to_bits(), due.to_bits());
+                    assert_eq!((float(a) + float(b)).cmp(&float(c)), (a + b).cmp(&c));
+                }
             }
         }
     }
@@ -278,6 +459,7 @@ mod tests {
                 assert!(unit.digits <= Wide::DIGITS, "{list:?}");
                 let count: Wide = unit.count(x);
                 assert_eq!(unit.value(count).to_bits(), x.to_bits(), "{x}");
+                assert_eq!(Float::count(&unit, x).value(&unit).to_bits(), x.to_bits());
                 if unit.digits <= i64::DIGITS {
                     let count: i64 = unit.count(x);
                     assert_eq!(unit.value(count).to_bits(), x.to_bits(), "{x}");

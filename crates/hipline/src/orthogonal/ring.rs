@@ -145,7 +145,8 @@ impl<'a> Ring<'a> {
     /// Where a vertex is, seen from the lower chain.
     #[inline]
     pub(super) fn place<N: Number>(&self, vertex: u32) -> Spot<N> {
-        let [x, y] = self.points[vertex as usize].map(|x| self.unit.count::<N>(x));
+        let [x, y] = self.points[vertex as usize];
+        let (x, y) = (N::count(&self.unit, x), N::count(&self.unit, y));
         if self.turned { (y, -x) } else { (x, y) }
     }
 
@@ -161,7 +162,7 @@ impl<'a> Ring<'a> {
     /// The ends of a wave, from west to east.
     #[inline]
     pub(super) fn base(&self, wave: u32) -> [u32; 2] {
-        let ends = [wave, wave + 1].map(|corner| self.vertex(corner));
+        let ends = [self.vertex(wave), self.vertex(wave + 1)];
         match self.side(wave) {
             Side::Lower => ends,
             Side::Upper => [ends[1], ends[0]],
@@ -192,12 +193,12 @@ impl<'a> Ring<'a> {
     /// The coordinates of the figure at a place.
     pub(super) fn round<N: Number>(&self, (x, y): Spot<N>) -> [f64; 2] {
         let (x, y) = if self.turned { (-y, x) } else { (x, y) };
-        [self.unit.value(x), self.unit.value(y)]
+        [x.value(&self.unit), y.value(&self.unit)]
     }
 
     /// A time of the figure.
     pub(super) fn round_time<N: Number>(&self, time: N) -> f64 {
-        self.unit.value(time)
+        time.value(&self.unit)
     }
 
     /// Whether edges go the way that corners are counted.

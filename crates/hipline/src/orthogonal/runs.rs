@@ -6,7 +6,7 @@
 //! along its boundary, from the bottom to the top.
 
 use super::{
-    graph::{Graph, NONE},
+    graph::{Graph, NONE, Visits},
     number::Number,
     ring::{Kind, Side},
 };
@@ -82,9 +82,6 @@ impl Walls {
     }
 }
 
-/// For each wave, its first and last arc of the merge chain.
-pub(super) type Visits = Vec<[u32; 2]>;
-
 /// The walls of more than one edge, each from west to east as its chain goes.
 fn walls<N: Number>(graph: &Graph<'_, N>) -> Vec<Vec<u32>> {
     let mut found = Vec::new();
@@ -111,7 +108,7 @@ fn walls<N: Number>(graph: &Graph<'_, N>) -> Vec<Vec<u32>> {
 }
 
 /// Cuts the faces of all walls of several edges.
-pub(super) fn cut<N: Number>(graph: &mut Graph<'_, N>, visits: &Visits) -> Walls {
+pub(super) fn cut<N: Number>(graph: &mut Graph<'_, N>) -> Walls {
     let walls = walls(graph);
     if walls.is_empty() {
         return Walls::default();
@@ -123,6 +120,7 @@ pub(super) fn cut<N: Number>(graph: &mut Graph<'_, N>, visits: &Visits) -> Walls
         of_seam: vec![[NONE; 2]; graph.seams.len()],
         found: Walls::default(),
     };
+    let visits = &mut Visits::default();
     for wall in &walls {
         cutter.land(graph, visits, wall);
     }
@@ -136,26 +134,24 @@ pub(super) fn cut<N: Number>(graph: &mut Graph<'_, N>, visits: &Visits) -> Walls
 
 /// The boundary of the face of a wall without the wall itself, from its bottom to its top, seen from its
 /// chain, and whether arcs are passed in their own direction.
-fn far_side<N: Number>(graph: &Graph<'_, N>, visits: &Visits, wave: u32) -> Vec<(Step, bool)> {
+fn far_side<N: Number>(graph: &Graph<'_, N>, visits: &mut Visits, wave: u32) -> Vec<(Step, bool)> {
     let at = wave as usize;
     let mut right = Vec::new();
-    let mut link = graph.right_first[at];
+    let mut link = graph.borders[at].right_first;
     while link != NONE {
         right.push(Step::Link(link));
-        if link == graph.right_last[at] {
+        if link == graph.borders[at].right_last {
             break;
         }
         link = graph.link(link).after;
     }
     let mut left = Vec::new();
-    let mut link = graph.left_last[at];
+    let mut link = graph.borders[at].left_last;
     while link != NONE {
         left.push(Step::Link(link));
         link = graph.link(link).below;
     }
-    let [first, last] = visits[at];
-    let seams = if first == NONE { 0..0 } else { first..last + 1 };
-    let seams = seams.map(Step::Seam);
+    let seams = graph.visits(visits, wave).map(Step::Seam);
     if graph.kind(wave) == Kind::East {
         let rest = seams.rev().chain(left).map(|step| (step, false));
         right
@@ -195,7 +191,7 @@ impl Cutter {
     }
 
     /// Finds where the ghost arcs of a wall end.
-    fn land<N: Number>(&mut self, graph: &mut Graph<'_, N>, visits: &Visits, wall: &[u32]) {
+    fn land<N: Number>(&mut self, graph: &mut Graph<'_, N>, visits: &mut Visits, wall: &[u32]) {
         let name = wall[0];
         let side = graph.ring.side(name);
         // From the bottom to the top, the vertex below each edge but the first.
@@ -341,7 +337,7 @@ impl Cutter {
     }
 
     /// Collects the corners of the faces of a wall.
-    fn collect<N: Number>(&mut self, graph: &Graph<'_, N>, visits: &Visits, wall: &[u32]) {
+    fn collect<N: Number>(&mut self, graph: &Graph<'_, N>, visits: &mut Visits, wall: &[u32]) {
         let name = wall[0];
         let east = graph.kind(name) == Kind::East;
         // All pieces from the bottom to the top, with the edges that they belong to.

@@ -347,6 +347,16 @@ impl Skeleton {
         })
     }
 
+    /// Whether it is that of one side of a [`Chain`](crate::Chain): it covers neither side of the plane.
+    #[must_use]
+    pub fn is_of_chain(&self) -> bool {
+        let mut sides = self.faces.iter().map(|face| face.side);
+        self.region == Region::Both
+            && sides
+                .next()
+                .is_some_and(|first| sides.all(|side| side == first))
+    }
+
     /// What the computation did.
     #[must_use]
     pub const fn stats(&self) -> &Stats {
