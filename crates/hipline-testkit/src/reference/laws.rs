@@ -52,7 +52,8 @@ fn counts(graph: &Graph, result: &Reference, events: usize) -> Result<(), String
     let speeds = || graph.edges.iter().flat_map(|edge| edge.speeds);
     let first_speed = graph.edges[0].speeds[0];
     let equal = speeds().all(|speed| speed > 0.0 && speed.total_cmp(&first_speed).is_eq());
-    if !equal || !graph.changes.is_empty() || result.covered.contains(&false) {
+    if !equal || !graph.changes.is_empty() || graph.has_heights() || result.covered.contains(&false)
+    {
         return Ok(());
     }
     let infinite = result
