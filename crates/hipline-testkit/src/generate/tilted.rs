@@ -46,12 +46,14 @@ pub fn small_tilted(seed: u64) -> Case {
     let heights = *random.pick(&Heights::ALL);
     let mut case = small_of(kind, random.next());
     case.comments = vec![format!("small_tilted({seed}): {kind:?}, {heights:?}")];
-    match random.below(6) {
-        0 | 1 => weigh(&mut case, &mut random),
-        2 => still(&mut case, &mut random),
-        _ => {}
+    let weighted = random.below(6);
+    if weighted < 3 {
+        weigh(&mut case, &mut random);
     }
     raise(&mut case, heights, &mut random);
+    if weighted == 0 {
+        still(&mut case, &mut random);
+    }
     if random.one_in(4) {
         change_level(&mut case, &mut random);
     }
@@ -106,19 +108,42 @@ pub fn raise(case: &mut Case, heights: Heights, random: &mut Random) {
     }
 }
 
-/// Some edges stand still for ever.
+/// Some edges without heights stand still for ever; what has a height would never get there.
 fn still(case: &mut Case, random: &mut Random) {
-    weigh(case, random);
-    let mut zero = |speed: &mut f64| {
-        if random.one_in(4) {
-            *speed = 0.0;
-        }
-    };
-    for part in &mut case.parts {
+    let high: Vec<(usize, [usize; 2])> = case
+        .heights
+        .iter()
+        .map(|(place, _)| (place.part, [place.ring, place.index]))
+        .collect();
+    for (p, part) in case.parts.iter_mut().enumerate() {
+        let is_low = |ring: usize, ends: [usize; 2]| {
+            let is_high = |end: &usize| high.contains(&(p, [ring, *end]));
+            !ends.iter().any(is_high)
+        };
         match part {
-            Part::Polygon { speeds, .. } => speeds.iter_mut().flatten().for_each(&mut zero),
-            Part::Line { speeds, .. } | Part::Graph { speeds, .. } => {
-                speeds.iter_mut().flatten().for_each(&mut zero);
+            Part::Polygon { speeds, .. } => {
+                for (ring, speeds) in speeds.iter_mut().enumerate() {
+                    let count = speeds.len();
+                    for (e, speed) in speeds.iter_mut().enumerate() {
+                        if is_low(ring, [e, (e + 1) % count]) && random.one_in(4) {
+                            *speed = 0.0;
+                        }
+                    }
+                }
+            }
+            Part::Line { speeds, .. } => {
+                for (e, speeds) in speeds.iter_mut().enumerate() {
+                    if is_low(0, [e, e + 1]) && random.one_in(4) {
+                        speeds[random.below(2)] = 0.0;
+                    }
+                }
+            }
+            Part::Graph { speeds, edges, .. } => {
+                for (&ends, speeds) in edges.iter().zip(speeds) {
+                    if is_low(0, ends) && random.one_in(4) {
+                        speeds[random.below(2)] = 0.0;
+                    }
+                }
             }
         }
     }

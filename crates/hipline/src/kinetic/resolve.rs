@@ -119,9 +119,11 @@ impl Kinetic<'_> {
     }
 
     fn turn_at(&self, tip: Tip) -> Sign {
-        self.front
-            .trace(tip.trace().expect("wavefront edges are finite"))
-            .turn
+        let trace = (self.front).trace(tip.trace().expect("wavefront edges are finite"));
+        if self.planes.phases.is_post(trace.pair[0]) {
+            return Sign::Zero;
+        }
+        trace.turn
     }
 
     /// Whether a wavefront edge has length zero at a moment for the simple reason that
