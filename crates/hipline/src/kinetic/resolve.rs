@@ -107,9 +107,9 @@ impl Kinetic<'_> {
             [None, Some(wave), None] => height(1, wave),
             [None, None, Some(wave)] => height(2, wave),
             // Between two wavefront edges of positive length the angle decides.
-            [None, _, _] => self.turn_at(triangle.tips[0]),
-            [_, None, _] => self.turn_at(triangle.tips[1]),
-            [_, _, _] => self.turn_at(triangle.tips[2]),
+            [None, _, _] => self.angle_at(triangle.tips[0]),
+            [_, None, _] => self.angle_at(triangle.tips[1]),
+            [_, _, _] => self.angle_at(triangle.tips[2]),
         };
         match sign {
             Sign::Positive => Shape::Solid,
@@ -119,9 +119,17 @@ impl Kinetic<'_> {
     }
 
     fn turn_at(&self, tip: Tip) -> Sign {
+        self.front
+            .trace(tip.trace().expect("wavefront edges are finite"))
+            .turn
+    }
+
+    /// The turn from one wavefront edge to the next at the vertex between them; zero between walls on one line.
+    fn angle_at(&self, tip: Tip) -> Sign {
         let trace = (self.front).trace(tip.trace().expect("wavefront edges are finite"));
-        if self.planes.phases.is_post(trace.pair[0]) {
-            return Sign::Zero;
+        let [i, j] = [trace.inn, trace.out].map(|wave| self.front.wave(wave).plane);
+        if self.planes.phases.is_post(trace.pair[0]) && self.planes.same_direction(i, j) {
+            return self.planes.turn(i, j);
         }
         trace.turn
     }

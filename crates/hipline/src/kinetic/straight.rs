@@ -9,9 +9,10 @@
 
 use super::{
     Kinetic,
+    schedule::corner,
     triangulation::{Spokes, Tip, next, prev},
 };
-use crate::predicates::Moment;
+use crate::predicates::{Area, Moment, Part};
 use crate::topology::{TraceId, WaveId};
 use crate::wavefront::{End, Trace, Walk};
 use hipline_num::Sign;
@@ -119,7 +120,7 @@ impl Kinetic<'_> {
         // Flip its spokes away until one is left. The fan, seen from p, is a polygon over
         // the base from `inn`'s start to `out`'s end, with an ear at some spoke's far end.
         let mut fan: Spokes = self.triangulation.fan(trace.out).collect();
-        let mut i = 0;
+        let (mut i, mut failed) = (0, 0);
         while fan.len() > 2 {
             if i + 1 >= fan.len() {
                 i = 0;
@@ -129,10 +130,23 @@ impl Kinetic<'_> {
             let tips = self.triangulation.get(t).tips;
             let (a, b) = (tips[next(corner)], tips[prev(corner)]);
             let c = self.triangulation.get(other).tips[prev(k)];
-            if self.orientation([a, b, c]) != Sign::Positive {
+            // Beside wavefront edges of length zero no triangle has an area yet; there, that decides which will
+            // have one.
+            let is_ear = match self.orientation([a, b, c]) {
+                Sign::Positive => true,
+                Sign::Zero => failed > fan.len() && self.area_grows([a, b, c]),
+                Sign::Negative => false,
+            };
+            if !is_ear {
                 i += 1;
+                failed += 1;
+                assert!(
+                    failed <= 3 * fan.len() + 3,
+                    "{p} is straight and has no ear"
+                );
                 continue;
             }
+            failed = 0;
             // The spoke p-b lies on the side of `t` after the corner.
             self.triangulation.flip(t, next(corner));
             self.stats.flips += 1;
@@ -175,6 +189,16 @@ impl Kinetic<'_> {
             None => Err(tip.direction().expect("a vertex or a direction")),
         });
         crate::predicates::orientation(places)
+    }
+
+    /// Whether a triangle without area has one just after this moment.
+    fn area_grows(&self, tips: [Tip; 3]) -> bool {
+        let corners = tips.map(|tip| corner(&self.front, tip));
+        let sign = |part| self.planes.sign_at(&self.now, &Area(corners, part));
+        match sign(Part::Slope) {
+            Sign::Zero => sign(Part::Curvature).is_positive(),
+            slope => slope.is_positive(),
+        }
     }
 
     /// Two wavefront edges on one plane become one.
