@@ -233,7 +233,9 @@ impl<'a> Wave<'a> {
                 continue;
             }
             let place = links[l].to;
-            let course = self.terminal_at(&places.points[place]);
+            let Some(course) = self.terminal_at(&places.points[place]) else {
+                continue;
+            };
             let plane = self.model.plane_at(course, &self.time);
             if sides.iter().all(|side| side.stands()) && self.model.planes[plane].stands() {
                 continue;
@@ -255,8 +257,9 @@ impl<'a> Wave<'a> {
         }
     }
 
-    /// The terminal at a place where a wavefront turns back: nothing else can be there.
-    fn terminal_at(&self, point: &Point) -> usize {
+    /// The terminal at a place where a wavefront turns back. There is none where both sides of a wall have grown
+    /// beyond its end, because others passed below its eave.
+    fn terminal_at(&self, point: &Point) -> Option<usize> {
         let Model {
             points,
             field,
@@ -266,8 +269,7 @@ impl<'a> Wave<'a> {
         let vertex = points
             .iter()
             .position(|vertex| Point::integer(vertex).compare(point, field) == Ordering::Equal);
-        let terminal = vertex.and_then(|vertex| terminals[vertex]);
-        terminal.expect("the wavefront turns back at terminals only")
+        vertex.and_then(|vertex| terminals[vertex])
     }
 
     /// The face on a plane of phase 0, or a new face on one of a later phase.
@@ -291,7 +293,7 @@ impl<'a> Wave<'a> {
                     i.stands() && j.stands(),
                     "wavefront edges of faces {faces:?} lie on each other"
                 );
-                terminal = Some(self.terminal_at(point));
+                terminal = self.terminal_at(point);
                 turn = Ordering::Less;
             }
             Motion::ghost(&self.model.field, i, point, &self.time)

@@ -243,10 +243,10 @@ impl Kinetic<'_> {
                 self.front.trace_mut(p).end = End::At(self.front.trace(v).born);
                 // Of several bases on one plane, the last one ends at v.
                 let mut last = slow;
-                while self.front.after_base[last as usize] != Walk::Up(v) {
-                    let Walk::Up(ghost) = self.front.after_base[last as usize] else {
-                        unreachable!("bases on one line are linked through their ghosts")
-                    };
+                // (A facet that started at v has given the place to a new vertex.)
+                while let Walk::Up(ghost) = self.front.after_base[last as usize]
+                    && self.front.trace(ghost).end == End::Ghost
+                {
                     let Walk::Base(after) = self.front.trace(ghost).after_down else {
                         unreachable!("bases on one line are linked through their ghosts")
                     };
