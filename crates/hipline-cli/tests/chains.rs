@@ -185,7 +185,11 @@ fn what_is_no_chain_is_refused() {
         );
     }
     for engine in ["auto", "monotone"] {
-        assert_eq!(printed(&by(engine), CHAIN), printed(&chain, CHAIN), "{engine}");
+        assert_eq!(
+            printed(&by(engine), CHAIN),
+            printed(&chain, CHAIN),
+            "{engine}"
+        );
     }
 }
 

@@ -7,7 +7,7 @@ use std::collections::BTreeMap;
 use std::fmt;
 
 use hipline::skeleton::{ArcKind, NodeKind, Side};
-use hipline::topology::{FaceId, NodeId};
+use hipline::topology::{FaceId, NodeId, VertexId};
 use hipline::{Figure, Skeleton};
 
 use crate::reference::{RefKind, Reference};
@@ -292,7 +292,7 @@ pub fn compare(
     if missing.is_empty() && extra.is_empty() {
         other.extend(faces_differ(skeleton, reference));
     }
-    // On either side of an edge that stands still, something may happen at one place and time:
+    // On either side of an edge that stands still, for a while or for ever, something may happen at one place and time:
     // whether that is one node or two is nobody's business.
     let changes = figure.changes().iter().map(|change| change.speed);
     let mut speeds = figure
@@ -300,7 +300,8 @@ pub fn compare(
         .iter()
         .flat_map(|edge| edge.speeds)
         .chain(changes);
-    if !speeds.any(|speed| key(speed) == 0) && skeleton.nodes().len() != reference.nodes.len() {
+    let walls = speeds.any(|speed| key(speed) == 0) || heights(figure).next().is_some();
+    if !walls && skeleton.nodes().len() != reference.nodes.len() {
         other.push(format!(
             "{} nodes instead of {}",
             skeleton.nodes().len(),
@@ -318,10 +319,17 @@ pub fn compare(
     }))
 }
 
-/// A figure as WKT, with speeds where they are not all 1.
+/// The vertices with heights other than zero.
+fn heights(figure: &Figure) -> impl Iterator<Item = (VertexId, f64)> + '_ {
+    let all = (0..figure.vertices().len()).map(VertexId::new);
+    all.map(|v| (v, figure.height(v)))
+        .filter(|&(_, height)| height > 0.0)
+}
+
+/// A figure as WKT, with heights and with speeds where they are not all 1.
 #[must_use]
 pub fn wkt(figure: &Figure) -> String {
-    let point = |v: hipline::topology::VertexId| {
+    let point = |v: VertexId| {
         let [x, y] = figure.vertices()[v.index()];
         format!("{x} {y}")
     };
@@ -343,6 +351,9 @@ pub fn wkt(figure: &Figure) -> String {
             .map(|edge| format!("{} {}", edge.speeds[0], edge.speeds[1]))
             .collect();
         text += &format!("\nspeeds, left and right: {}", speeds.join(", "));
+    }
+    for (v, height) in heights(figure) {
+        text += &format!("\nheight of {}: {height}", point(v));
     }
     for change in figure.changes() {
         let side = if change.right { "right" } else { "left" };

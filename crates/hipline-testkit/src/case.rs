@@ -14,11 +14,12 @@
 //! edges 0 1, 1 2
 //! speeds 1 1, 1 3
 //! changes 0 both 2.5 0, 1 left 1 4
+//! heights 0 0.5, 2 1
 //! ```
 //!
 //! A line of speeds belongs to the ring, line or graph before it: one number per edge of a ring,
 //! left and right per edge of the others. So does a line of changes of speed: edge, sides
-//! (`left`, `right` or `both`), time and speed from then on. Numbers are exact: the shortest text that
+//! (`left`, `right` or `both`), time and speed from then on; and one of heights: vertex and height. Numbers are exact: the shortest text that
 //! reads back as the same f64.
 
 use std::fmt::Write as _;
@@ -68,6 +69,8 @@ pub struct Case {
     pub parts: Vec<Part>,
     /// How speeds change; places are numbered by `parts`.
     pub changes: Vec<Change>,
+    /// Heights of vertices, by part, ring and number of the vertex.
+    pub heights: Vec<(Place, f64)>,
 }
 
 /// Why a text is not a case.
@@ -104,6 +107,23 @@ impl Part {
             points,
             speeds: Vec::new(),
         }
+    }
+
+    /// All points, with ring and number.
+    #[must_use]
+    pub fn numbered_points(&self) -> Vec<([usize; 2], [f64; 2])> {
+        let (rings, points): (&[Points], &[[f64; 2]]) = match self {
+            Self::Polygon { rings, .. } => (rings, &[]),
+            Self::Line { points, .. } => (&[], points),
+            Self::Graph { vertices, .. } => (&[], vertices),
+        };
+        let one = std::iter::once((0, points));
+        let all = rings.iter().map(Vec::as_slice).enumerate().chain(one);
+        all.flat_map(|(ring, points)| {
+            let numbered = points.iter().enumerate();
+            numbered.map(move |(index, &point)| ([ring, index], point))
+        })
+        .collect()
     }
 
     /// All points.
@@ -145,7 +165,7 @@ impl Case {
             Part::Polygon { speeds, .. } => !speeds.is_empty(),
             Part::Line { speeds, .. } | Part::Graph { speeds, .. } => !speeds.is_empty(),
         });
-        given || !self.changes.is_empty()
+        given || !self.changes.is_empty() || !self.heights.is_empty()
     }
 
     /// The number of edges of a ring of a part, or of a line or graph (as its ring 0).
@@ -176,7 +196,7 @@ impl Case {
         places
     }
 
-    /// Renames the places of changes; changes of edges that are no more are dropped.
+    /// Renames the places of changes, not of heights; changes of edges that are no more are dropped.
     pub fn renumber(&mut self, place: impl Fn(Place) -> Option<Place>) {
         self.changes.retain_mut(|change| {
             let renamed = place(change.edge);
@@ -210,6 +230,9 @@ impl Case {
         self.changes
             .iter()
             .for_each(|&change| builder.change(change));
+        self.heights
+            .iter()
+            .for_each(|&(vertex, height)| builder.elevate(vertex, height));
         builder
     }
 
@@ -246,6 +269,14 @@ impl Case {
                 });
                 of.map(change_text).collect::<Vec<_>>()
             };
+            let heights = |ring: usize| {
+                let of = self
+                    .heights
+                    .iter()
+                    .filter(|(at, _)| (at.part, at.ring) == (p, ring));
+                of.map(|(at, height)| format!("{} {height}", at.index))
+                    .collect::<Vec<_>>()
+            };
             match part {
                 Part::Polygon { rings, speeds } => {
                     line("polygon", Vec::new());
@@ -256,6 +287,9 @@ impl Case {
                         }
                         if !changes(r).is_empty() {
                             line("changes", changes(r));
+                        }
+                        if !heights(r).is_empty() {
+                            line("heights", heights(r));
                         }
                     }
                 }
@@ -274,6 +308,9 @@ impl Case {
                 }
                 if !changes(0).is_empty() {
                     line("changes", changes(0));
+                }
+                if !heights(0).is_empty() {
+                    line("heights", heights(0));
                 }
             }
         }
@@ -336,14 +373,16 @@ impl Case {
                 *speeds = read_pairs(rest)?
             }
             ("changes", Some(part)) => {
-                let ring = match part {
-                    Part::Polygon { rings, .. } => rings.len().checked_sub(1),
-                    _ => Some(0),
-                };
-                let ring = ring.ok_or("changes of no ring")?;
+                let ring = last_ring(part).ok_or("changes of no ring")?;
                 let part = self.parts.len() - 1;
                 let read = rest.split(',').map(|item| read_change(item, part, ring));
                 self.changes.extend(read.collect::<Result<Vec<_>, _>>()?);
+            }
+            ("heights", Some(part)) => {
+                let ring = last_ring(part).ok_or("heights of no ring")?;
+                let part = self.parts.len() - 1;
+                let read = rest.split(',').map(|item| read_height(item, part, ring));
+                self.heights.extend(read.collect::<Result<Vec<_>, _>>()?);
             }
             ("vertices", Some(Part::Graph { vertices, .. })) => *vertices = read_pairs(rest)?,
             ("edges", Some(Part::Graph { edges, .. })) => *edges = read_pairs(rest)?,
@@ -351,6 +390,23 @@ impl Case {
         }
         Ok(())
     }
+}
+
+/// The number of the ring that was read last.
+const fn last_ring(part: &Part) -> Option<usize> {
+    match part {
+        Part::Polygon { rings, .. } => rings.len().checked_sub(1),
+        _ => Some(0),
+    }
+}
+
+fn read_height(text: &str, part: usize, ring: usize) -> Result<(Place, f64), &'static str> {
+    let mut words = text.split_whitespace();
+    let [index, height] = [(); 2].map(|()| words.next().ok_or("a height is vertex and height"));
+    let (Ok(index), Ok(height)) = (index?.parse(), height?.parse()) else {
+        return Err("not a number");
+    };
+    Ok((Place { part, ring, index }, height))
 }
 
 fn pairs<T: std::fmt::Display>(list: &[[T; 2]]) -> Vec<String> {
@@ -409,8 +465,8 @@ mod tests {
     #[test]
     fn text_reads_back() {
         let text = "# odd numbers\nregion both\npolygon\nring 0 0, 8.1 0, 8 1e-30\nspeeds 1, 2, 0.5\n\
-                    changes 2 left 0.1 0, 0 both 3 2\nline 9 0, 9 5, 12 -5\nspeeds 1 1, 0.5 2\n\
-                    changes 1 right 1 7\ngraph\nvertices 20 0, 22 0, 21 3\nedges 0 1, 1 2\n";
+                    changes 2 left 0.1 0, 0 both 3 2\nheights 0 0.5, 2 1\nline 9 0, 9 5, 12 -5\nspeeds 1 1, 0.5 2\n\
+                    changes 1 right 1 7\nheights 1 2\ngraph\nvertices 20 0, 22 0, 21 3\nedges 0 1, 1 2\n";
         let case = Case::parse(text).expect("it is well-formed");
         assert_eq!(
             Case::parse(&case.to_text()),
@@ -436,6 +492,14 @@ mod tests {
             "{first:?}"
         );
         assert_eq!((last.edge.part, last.edge.index), (1, 1), "{last:?}");
+        let [(_, low), _, (last, _)] = case.heights[..] else {
+            panic!("three heights: {case:?}");
+        };
+        assert_eq!(
+            (last.part, last.index, low.to_bits()),
+            (1, 1, 0.5_f64.to_bits()),
+            "{case:?}"
+        );
         let error = ParseError {
             line: 2,
             reason: "not a pair of numbers",

@@ -5,13 +5,13 @@ use std::thread;
 
 use hipline::{Engine, Figure, Options, Skeleton};
 
-use crate::agreement::compare;
+use crate::agreement::{compare, wkt};
 use crate::case::Case;
 use crate::reduce::reduce;
 use crate::reference::{Graph, Reference, reference};
 
 /// How the library fails on a case, in words; `None` if it agrees with the reference and passes
-/// verification, or if the case is not a figure.
+/// verification, or if the case is not a figure. Where heights are not reached, both must say so; the rest may differ.
 ///
 /// A panic counts as a failure; the panic hook still sees it.
 #[must_use]
@@ -29,7 +29,7 @@ pub fn failure(case: &Case) -> Option<String> {
     [Engine::Kinetic, Engine::Auto]
         .into_iter()
         .find_map(|engine| {
-            let how = failure_of(engine, &figure, options, &expected)?;
+            let how = failure_of(engine, &figure, options, &graph, &expected)?;
             Some(format!("{engine:?}:\n{how}"))
         })
 }
@@ -39,6 +39,7 @@ fn failure_of(
     engine: Engine,
     figure: &Figure,
     options: Options,
+    graph: &Graph,
     expected: &Reference,
 ) -> Option<String> {
     let run = AssertUnwindSafe(|| figure.skeleton_by(engine, options));
@@ -52,7 +53,18 @@ fn failure_of(
             return Some(format!("the library panics: {text}"));
         }
     };
-    if let Err(difference) = compare(figure, &skeleton, expected) {
+    let reached = expected.reaches_heights(graph);
+    let early = skeleton.check_heights(figure).err();
+    if early.is_none() != reached {
+        let ours = early.map_or_else(|| "reached".to_owned(), |early| early.to_string());
+        let due = if reached { "" } else { "not " };
+        return Some(format!(
+            "heights: {ours}\nby the reference, they are {due}reached\n{}",
+            wkt(figure)
+        ));
+    }
+    let difference = compare(figure, &skeleton, expected);
+    if reached && let Err(difference) = difference {
         return Some(difference.to_string());
     }
     if overruns_at_zero(&skeleton) {

@@ -114,13 +114,20 @@ impl Map {
             .iter()
             .map(|change| self.change(before, change))
             .collect();
+        for (vertex, height) in &mut case.heights {
+            // In rings, which alone may start elsewhere, edges have the numbers of the vertices.
+            *vertex = self.place(before, *vertex);
+            if let Self::Scale(power) = self {
+                *height *= 2.0_f64.powi(power);
+            }
+        }
         case
     }
 
     /// A change of speed, mapped.
     fn change(self, before: &Case, change: &Change) -> Change {
         let mut change = *change;
-        let Place { part, ring, index } = change.edge;
+        change.edge = self.place(before, change.edge);
         match self {
             Self::SwapAxes | Self::Mirror => {
                 change.sides = match change.sides {
@@ -130,10 +137,19 @@ impl Map {
                 };
             }
             Self::Scale(power) => change.time *= 2.0_f64.powi(power),
+            _ => {}
+        }
+        change
+    }
+
+    /// The new name of an edge, or of a vertex.
+    fn place(self, before: &Case, mut place: Place) -> Place {
+        let Place { part, ring, index } = place;
+        match self {
             Self::Start(by) => {
                 if let Part::Polygon { rings, .. } = &before.parts[part] {
                     let count = rings[ring].len();
-                    change.edge.index = (index + count - by % count) % count;
+                    place.index = (index + count - by % count) % count;
                 }
             }
             Self::Order(seed) => {
@@ -145,13 +161,13 @@ impl Map {
                 if let Part::Polygon { rings, .. } = &before.parts[part]
                     && ring > 0
                 {
-                    change.edge.ring = 1 + shuffled(rings.len() - 1, ring - 1);
+                    place.ring = 1 + shuffled(rings.len() - 1, ring - 1);
                 }
-                change.edge.part = shuffled(before.parts.len(), part);
+                place.part = shuffled(before.parts.len(), part);
             }
-            Self::Turn | Self::Translate(_) => {}
+            _ => {}
         }
-        change
+        place
     }
 
     /// An arc's end, mapped. Scaling scales times too; speeds stay as they are.

@@ -6,7 +6,7 @@ use crate::case::{Case, Part, Points};
 
 /// Makes a case smaller, step by step, as long as it still fails.
 ///
-/// Takes away parts, rings, vertices, edges and changes of speed, then weights, then digits of numbers. `fails`
+/// Takes away parts, rings, vertices, edges, changes of speed and heights, then weights, then digits of numbers. `fails`
 /// must say no to cases that are no figures; it is called some thousand times.
 #[must_use]
 pub fn reduce(case: &Case, mut fails: impl FnMut(&Case) -> bool) -> Case {
@@ -27,7 +27,8 @@ fn simpler(a: &Case, b: &Case) -> bool {
     let weight = |case: &Case| {
         let mut bare = case.clone();
         bare.comments.clear();
-        let pieces = case.parts.iter().map(pieces).sum::<usize>() + case.changes.len();
+        let pieces =
+            case.parts.iter().map(pieces).sum::<usize>() + case.changes.len() + case.heights.len();
         let large: f64 = bare
             .clone()
             .parts
@@ -36,6 +37,7 @@ fn simpler(a: &Case, b: &Case) -> bool {
             .flatten()
             .map(|x| x.abs())
             .chain(case.changes.iter().map(|change| change.time + change.speed))
+            .chain(case.heights.iter().map(|(_, height)| *height))
             .sum();
         (pieces, bare.to_text().len(), large)
     };
@@ -63,6 +65,11 @@ fn steps(case: &Case) -> Vec<Case> {
             place.part -= usize::from(place.part > p);
             kept.then_some(place)
         });
+        without.heights.retain_mut(|(place, _)| {
+            let kept = place.part != p;
+            place.part -= usize::from(place.part > p);
+            kept
+        });
         if !without.parts.is_empty() {
             found.push(without);
         }
@@ -75,6 +82,7 @@ fn steps(case: &Case) -> Vec<Case> {
     for (p, part) in case.parts.iter().enumerate() {
         for (smaller, names) in smaller_parts(part) {
             let mut next = case.clone();
+            next.heights = heights_of(case, p, &smaller);
             next.parts[p] = smaller;
             next.renumber(|place| {
                 if place.part != p {
@@ -93,6 +101,7 @@ fn steps(case: &Case) -> Vec<Case> {
         }
     }
     found.extend(simpler_changes(case));
+    found.extend(simpler_heights(case));
     found.extend(simpler_numbers(case));
     found
 }
@@ -116,6 +125,49 @@ fn simpler_changes(case: &Case) -> Vec<Case> {
         simpler(&|change| change.speed = 0.0);
         simpler(&|change| change.speed = 1.0);
         simpler(&|change| change.speed = change.speed.ceil());
+    }
+    found
+}
+
+/// The heights of a case when a part has lost some of its points.
+fn heights_of(case: &Case, part: usize, smaller: &Part) -> Vec<(Place, f64)> {
+    let names = |content: &Part, found: &dyn Fn([usize; 2], [f64; 2]) -> bool| {
+        let points = content.numbered_points().into_iter();
+        points
+            .filter(|&(name, point)| found(name, point))
+            .collect::<Vec<_>>()
+    };
+    let of = |&(place, height): &(Place, f64)| {
+        if place.part != part {
+            return vec![(place, height)];
+        }
+        let old = names(&case.parts[part], &|name, _| {
+            name == [place.ring, place.index]
+        });
+        let is_there = |point: [f64; 2]| {
+            old.iter()
+                .any(|(_, was)| was.map(f64::to_bits) == point.map(f64::to_bits))
+        };
+        let new = names(smaller, &|_, point| is_there(point)).into_iter();
+        let named = new.map(|([ring, index], _)| (Place { part, ring, index }, height));
+        named.collect()
+    };
+    case.heights.iter().flat_map(of).collect()
+}
+
+/// Without one of the heights, or with a simpler one.
+fn simpler_heights(case: &Case) -> Vec<Case> {
+    let mut found = Vec::new();
+    for i in 0..case.heights.len() {
+        let mut without = case.clone();
+        without.heights.remove(i);
+        found.push(without);
+        let height = case.heights[i].1;
+        for simpler in [1.0, height.ceil(), (height * 0.5).ceil(), height * 0.5] {
+            let mut next = case.clone();
+            next.heights[i].1 = simpler;
+            found.push(next);
+        }
     }
     found
 }
@@ -334,6 +386,8 @@ fn simpler_numbers(case: &Case) -> Vec<Case> {
         points.for_each(|point| *point = point.map(|x| x * factor));
         let changes = next.changes.iter_mut();
         changes.for_each(|change| change.time *= factor);
+        let heights = next.heights.iter_mut();
+        heights.for_each(|(_, height)| *height *= factor);
         found.push(next);
     }
     let count = case.size();

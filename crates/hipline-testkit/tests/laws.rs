@@ -3,7 +3,7 @@
 use hipline::Region;
 use hipline_testkit::agreement::drawn_reference;
 use hipline_testkit::case::Case;
-use hipline_testkit::generate::{Family, small, small_weighted};
+use hipline_testkit::generate::{Family, small, small_tilted, small_weighted};
 use hipline_testkit::metamorphic::Map;
 use hipline_testkit::reference::{Graph, RefKind, Reference, check_laws, reference};
 
@@ -26,7 +26,7 @@ fn run(case: &Case, region: Region) -> (Graph, Reference) {
 #[test]
 fn results_obey_the_laws() {
     let mut wrong = Vec::new();
-    let all = (0..cases()).flat_map(|seed| [small(seed), small_weighted(seed)]);
+    let all = (0..cases()).flat_map(|seed| [small(seed), small_weighted(seed), small_tilted(seed)]);
     for case in all {
         let (graph, result) = run(&case, Region::Both);
         if let Err(law) = check_laws(&graph, &result) {

@@ -9,6 +9,7 @@ mod random;
 mod shapes;
 mod small;
 mod tight;
+mod tilted;
 mod weighted;
 
 pub use family::Family;
@@ -18,4 +19,5 @@ pub use random::Random;
 pub use shapes::STRAIGHT_VERTICES;
 pub use small::{Kind, small, small_of, weigh};
 pub use tight::tight;
+pub use tilted::{Heights, raise, small_tilted};
 pub use weighted::{Weights, change_speeds, small_weighted};

@@ -121,7 +121,7 @@ pub fn small_of(kind: Kind, seed: u64) -> Case {
         comments: vec![format!("{kind:?}, seed {seed}")],
         region,
         parts,
-        changes: Vec::new(),
+        ..Case::default()
     }
 }
 

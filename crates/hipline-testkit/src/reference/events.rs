@@ -3,8 +3,7 @@
 use std::cmp::Ordering;
 use std::rc::Rc;
 
-use dashu_int::IBig;
-
+use super::model::Plane;
 use super::ratio::Ratio;
 use super::wave::{Corner, Piece, Wave};
 
@@ -60,8 +59,16 @@ impl Wave<'_> {
             let terminal = terminal.map(|course| self.model.plane_at(course, &self.time));
             [Some(self.faces[piece.face]), terminal]
         });
-        for later in planes.flatten().filter_map(|p| self.model.planes[p].later) {
+        let starting = |p: usize| {
+            let Plane { later, eave, .. } = &self.model.planes[p];
+            later.or_else(|| eave.as_ref().map(|eave| eave.facet))
+        };
+        for later in planes.flatten().filter_map(starting) {
             let time = &self.model.planes[later].start;
+            // The lower end of an eave is behind, as its facet has started.
+            if time.compare(&self.time, field) != Ordering::Greater {
+                continue;
+            }
             if best
                 .as_ref()
                 .is_none_or(|best| time.compare(best, field) == Ordering::Less)
@@ -109,9 +116,9 @@ impl Wave<'_> {
         }
         let field = &self.model.field;
         let direction = &self.plane(self.pieces[piece].face).direction;
-        let axis = usize::from(direction[0] == IBig::ZERO);
+        let axis = usize::from(direction[0].is_zero());
         let place = corner.motion.coordinate(field, axis, time);
-        let wrong = if direction[axis] > IBig::ZERO {
+        let wrong = if field.sign(&direction[axis]) == Ordering::Greater {
             Ordering::Less
         } else {
             Ordering::Greater

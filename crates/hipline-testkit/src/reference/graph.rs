@@ -2,6 +2,7 @@
 
 use hipline::Figure;
 use hipline::skeleton::Side;
+use hipline::topology::VertexId;
 
 /// A planar straight-line graph as plain data; the caller vouches for its being one.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -12,6 +13,8 @@ pub struct Graph {
     pub edges: Vec<GraphEdge>,
     /// Changes of speed; those of one side in the order of time.
     pub changes: Vec<GraphChange>,
+    /// The height of each vertex; none stands for zero.
+    pub heights: Vec<f64>,
 }
 
 /// From a time on, one side of an edge moves at another speed.
@@ -58,6 +61,9 @@ impl From<&Figure> for Graph {
                     speed: change.speed,
                 })
                 .collect(),
+            heights: (0..figure.vertices().len())
+                .map(|vertex| figure.height(VertexId::new(vertex)))
+                .collect(),
         }
     }
 }
@@ -91,8 +97,22 @@ impl Graph {
         }
     }
 
+    /// The height of a vertex.
+    #[must_use]
+    pub fn height(&self, vertex: usize) -> f64 {
+        self.heights.get(vertex).copied().unwrap_or(0.0)
+    }
+
+    /// Whether a vertex has a height other than zero.
+    #[must_use]
+    pub fn has_heights(&self) -> bool {
+        self.heights.iter().any(|&height| height > 0.0)
+    }
+
     /// The speeds of one side of an edge, or of a terminal of it: each with the time from which on it
     /// holds, the first one 0. A terminal has the larger one of the speeds of the two sides.
+    ///
+    /// What has a height stands still before it; the wall below a tilted eave, for ever.
     #[must_use]
     pub fn speeds(&self, edge: usize, side: Side) -> Vec<[f64; 2]> {
         let of = |right: bool| {
@@ -122,6 +142,21 @@ impl Graph {
                     .collect()
             }
         };
+        let [from, to] = self.edges[edge].ends.map(|end| self.height(end));
+        let height = match side {
+            Side::Start => from,
+            Side::End => to,
+            Side::Left | Side::Right if from.total_cmp(&to).is_ne() => {
+                list.truncate(1);
+                list[0][1] = 0.0;
+                0.0
+            }
+            Side::Left | Side::Right => from,
+        };
+        if height > 0.0 {
+            list[0][0] = height;
+            list.insert(0, [0.0; 2]);
+        }
         // What stays the same is no change.
         list.dedup_by(|later, earlier| later[1].total_cmp(&earlier[1]).is_eq());
         list

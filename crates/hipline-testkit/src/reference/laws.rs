@@ -52,7 +52,8 @@ fn counts(graph: &Graph, result: &Reference, events: usize) -> Result<(), String
     let speeds = || graph.edges.iter().flat_map(|edge| edge.speeds);
     let first_speed = graph.edges[0].speeds[0];
     let equal = speeds().all(|speed| speed > 0.0 && speed.total_cmp(&first_speed).is_eq());
-    if !equal || !graph.changes.is_empty() || result.covered.contains(&false) {
+    if !equal || !graph.changes.is_empty() || graph.has_heights() || result.covered.contains(&false)
+    {
         return Ok(());
     }
     let infinite = result
@@ -69,6 +70,10 @@ fn counts(graph: &Graph, result: &Reference, events: usize) -> Result<(), String
 }
 
 /// At both ends of each arc, both faces are as high as the node.
+#[expect(
+    clippy::disallowed_methods,
+    reason = "a law of rounded results, checked with a tolerance"
+)]
 fn heights(graph: &Graph, result: &Reference) -> Result<(), String> {
     let size = graph
         .vertices
@@ -82,13 +87,28 @@ fn heights(graph: &Graph, result: &Reference) -> Result<(), String> {
             let edge = &graph.edges[edge];
             let [p, q] = edge.ends.map(|end| graph.vertices[end]);
             let along = [q[0] - p[0], q[1] - p[1]];
-            let (normal, from) = match side {
+            let (mut normal, from) = match side {
                 Side::Left => ([-along[1], along[0]], p),
                 Side::Right => ([along[1], -along[0]], p),
                 Side::Start => ([-along[0], -along[1]], p),
                 Side::End => (along, q),
             };
-            let phase = phase as usize;
+            let mut phase = phase as usize;
+            let ends = edge.ends.map(|end| graph.height(end));
+            let is_facet = phase > 0
+                && matches!(side, Side::Left | Side::Right)
+                && ends[0].total_cmp(&ends[1]).is_ne();
+            let speeds = if is_facet {
+                // From the height of its start on, its plane moves on as a turned one through that point.
+                phase = 0;
+                let speed = edge.speeds[usize::from(side == Side::Right)];
+                let steep = speed * (ends[1] - ends[0]) / along[0].hypot(along[1]);
+                let across = (1.0 - steep * steep).sqrt();
+                normal = [0, 1].map(|k| steep * along[k] + across * normal[k]);
+                vec![[ends[0], speed]]
+            } else {
+                speeds
+            };
             let earlier: f64 = (0..phase)
                 .map(|k| (speeds[k + 1][0] - speeds[k][0]) * speeds[k][1])
                 .sum();
@@ -102,7 +122,7 @@ fn heights(graph: &Graph, result: &Reference) -> Result<(), String> {
             } in arc.nodes.map(|node| result.nodes[node])
             {
                 let distance = (normal[0] * (x - from[0]) + normal[1] * (y - from[1])) / length;
-                if time < since || (time.is_finite() && time > until) {
+                if !is_facet && time < since || (time.is_finite() && time > until) {
                     return Err(format!("arc {a} is not of the time of face {face}"));
                 }
                 let due = earlier + speed * (time - since);

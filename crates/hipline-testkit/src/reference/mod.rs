@@ -7,8 +7,10 @@
 //!
 //! It shares no code with the engines it tests, not even the numbers.
 
+mod eaves;
 mod events;
 mod graph;
+mod heading;
 mod laws;
 mod model;
 mod motion;

@@ -6,17 +6,14 @@ use dashu_int::IBig;
 use dashu_int::ops::Gcd;
 use hipline::skeleton::Side;
 
+use super::eaves::{Eave, Slant};
 use super::graph::Graph;
+use super::heading::{Heading, around};
 use super::number::{Field, Num};
 use super::ratio::Ratio;
 
 /// An integer vector.
 pub(super) type Vector = [IBig; 2];
-
-/// `u x v`.
-pub(super) fn cross(u: &Vector, v: &Vector) -> IBig {
-    &u[0] * &v[1] - &u[1] * &v[0]
-}
 
 /// `u . v`.
 pub(super) fn dot(u: &Vector, v: &Vector) -> IBig {
@@ -42,12 +39,16 @@ pub(super) struct Plane {
     pub start: Ratio,
     /// The plane of the next phase.
     pub later: Option<usize>,
+    /// What starts at the lower end of its tilted eave, if it is the wall below one.
+    pub eave: Option<Eave>,
     /// Where its wavefront edge starts and ends at first (vertices).
     pub ends: [usize; 2],
     /// The direction of the wavefront edge, the unswept side on its left.
-    pub direction: Vector,
+    pub direction: Heading,
     /// Its normal, towards the unswept side.
-    pub normal: Vector,
+    pub normal: Heading,
+    /// The square of the length of the normal.
+    pub square: IBig,
     /// The constant of the plane.
     pub level: Num,
     /// Speed times length of the normal.
@@ -90,9 +91,9 @@ impl Model {
     /// Sets up planes and chains.
     pub(super) fn new(graph: &Graph) -> Self {
         let changes = || graph.changes.iter();
-        let speeds = graph.edges.iter().flat_map(|edge| edge.speeds);
-        let speed_bits = common_bits(speeds.chain(changes().map(|change| change.speed)));
-        let time_bits = common_bits(changes().map(|change| change.time));
+        let speed_bits = graph.speed_bits();
+        let times = changes().map(|change| change.time);
+        let time_bits = common_bits(times.chain(graph.heights.iter().copied()));
         let place_bits =
             common_bits(graph.vertices.iter().flatten().copied()).max(speed_bits + time_bits);
         let points: Vec<Vector> = graph
@@ -102,8 +103,9 @@ impl Model {
             .collect();
         let mut planes = first_planes(graph, &points, speed_bits);
         let courses = planes.len();
-        let squares: Vec<IBig> = planes.iter().map(|f| dot(&f.normal, &f.normal)).collect();
-        let field = Field::new(&squares);
+        let squares: Vec<IBig> = planes.iter().map(|f| f.square.clone()).collect();
+        let slants = Slant::all(graph, &points, &planes, place_bits - speed_bits);
+        let field = Field::new(squares.iter().chain(slants.iter().map(Slant::radicand)));
         for (plane, square) in planes.iter_mut().zip(&squares) {
             plane.rate = field.root(square).times(&plane.speed);
         }
@@ -120,7 +122,15 @@ impl Model {
                 planes.push(later);
             }
         }
-        let next = chains(&planes[..courses], points.len());
+        for slant in &slants {
+            let facet = planes.len();
+            planes.push(slant.facet(&field, &planes));
+            planes[slant.course].eave = Some(Eave {
+                facet,
+                rises: slant.rises,
+            });
+        }
+        let next = chains(&field, &planes[..courses], points.len());
         let inside = inside(graph, &points, &planes[..courses], &next);
         let mut terminals = vec![None; points.len()];
         for (course, plane) in planes[..courses].iter().enumerate() {
@@ -211,6 +221,7 @@ fn first_planes(graph: &Graph, points: &[Vector], speed_bits: i64) -> Vec<Plane>
             let gcd = IBig::from((&direction[0]).gcd(&direction[1]));
             let direction = direction.map(|x| x / &gcd);
             let normal = [-&direction[1], direction[0].clone()];
+            let square = dot(&normal, &normal);
             planes.push(Plane {
                 edge,
                 side,
@@ -218,10 +229,12 @@ fn first_planes(graph: &Graph, points: &[Vector], speed_bits: i64) -> Vec<Plane>
                 course: planes.len(),
                 start: Ratio::zero(),
                 later: None,
+                eave: None,
                 ends,
                 level: dot(&normal, &points[ends[0]]).into(),
-                direction,
-                normal,
+                direction: direction.map(Num::from),
+                normal: normal.map(Num::from),
+                square,
                 rate: Num::default(),
                 speed: scaled(graph.speeds(edge, side)[0][1], speed_bits),
             });
@@ -238,8 +251,10 @@ fn later_plane(before: &Plane, time: &IBig, speed: IBig, root: &Num) -> Plane {
         phase: before.phase + 1,
         start: Ratio::integer(time),
         later: None,
+        eave: None,
         direction: before.direction.clone(),
         normal: before.normal.clone(),
+        square: before.square.clone(),
         level: before.level.plus(&slower.times(time)),
         rate,
         speed,
@@ -253,6 +268,14 @@ fn common_bits(numbers: impl Iterator<Item = f64>) -> i64 {
         .filter_map(|x| decode(x).map(|(_, exponent)| -exponent))
         .max()
         .unwrap_or(0)
+}
+
+impl Graph {
+    /// The least `k` for which all speeds times `2^k` are integers.
+    pub(super) fn speed_bits(&self) -> i64 {
+        let speeds = self.edges.iter().flat_map(|edge| edge.speeds);
+        common_bits(speeds.chain(self.changes.iter().map(|change| change.speed)))
+    }
 }
 
 /// The odd integer `m` and the exponent of `x = m * 2^exponent`; `None` for zero.
@@ -277,29 +300,21 @@ fn decode(x: f64) -> Option<(i64, i64)> {
 }
 
 /// `x * 2^bits`, which is an integer.
-fn scaled(x: f64, bits: i64) -> IBig {
+pub(super) fn scaled(x: f64, bits: i64) -> IBig {
     decode(x).map_or(IBig::ZERO, |(mantissa, exponent)| {
         IBig::from(mantissa) << (exponent + bits) as usize
     })
 }
 
-/// Counterclockwise order of directions around a point, from the positive x axis.
-pub(super) fn around(u: &Vector, v: &Vector) -> Ordering {
-    let lower = |w: &Vector| w[1] < IBig::ZERO || (w[1] == IBig::ZERO && w[0] < IBig::ZERO);
-    lower(u)
-        .cmp(&lower(v))
-        .then_with(|| IBig::ZERO.cmp(&cross(u, v)))
-}
-
 /// At each vertex: sorts the sides by angle, and links what bounds the same sector.
-fn chains(faces: &[Plane], vertices: usize) -> Vec<usize> {
+fn chains(field: &Field, faces: &[Plane], vertices: usize) -> Vec<usize> {
     let mut next = vec![usize::MAX; faces.len()];
     let is_cap = |f: usize| is_terminal(&faces[f]);
     for vertex in 0..vertices {
         let mut leaving: Vec<usize> = (0..faces.len())
             .filter(|&f| !is_cap(f) && faces[f].ends[0] == vertex)
             .collect();
-        leaving.sort_by(|&f, &g| around(&faces[f].direction, &faces[g].direction));
+        leaving.sort_by(|&f, &g| around(field, &faces[f].direction, &faces[g].direction));
         for (i, &out) in leaving.iter().enumerate() {
             // The sector on the left of `out` ends at the next edge, whose other side arrives.
             let neighbour = &faces[leaving[(i + 1) % leaving.len()]];
@@ -344,7 +359,9 @@ fn inside(graph: &Graph, points: &[Vector], faces: &[Plane], next: &[usize]) -> 
 /// Is the place just left of the middle of a side inside the polygons?
 fn left_is_inside(graph: &Graph, points: &[Vector], face: &Plane) -> bool {
     // A ray from the middle, along y unless the side itself is vertical; coordinates doubled.
-    let (across, along) = if face.direction[0] == IBig::ZERO {
+    let [x, y]: Vector = [0, 1].map(|k| &points[face.ends[1]][k] - &points[face.ends[0]][k]);
+    let normal: Vector = [-y, x];
+    let (across, along) = if normal[1] == IBig::ZERO {
         (1, 0)
     } else {
         (0, 1)
@@ -358,7 +375,7 @@ fn left_is_inside(graph: &Graph, points: &[Vector], face: &Plane) -> bool {
         .filter(|(_, edge)| edge.on_ring)
     {
         if index == face.edge {
-            odd ^= face.normal[along] < IBig::ZERO;
+            odd ^= normal[along] < IBig::ZERO;
             continue;
         }
         let [p, q] = edge.ends.map(|end| [0, 1].map(|k| &points[end][k] << 1));

@@ -4,7 +4,8 @@ use std::cmp::Ordering;
 
 use dashu_int::IBig;
 
-use super::model::{Plane, cross, dot};
+use super::heading::{cross, dot};
+use super::model::Plane;
 use super::number::{Field, Num};
 use super::ratio::Ratio;
 
@@ -28,19 +29,17 @@ impl Motion {
     /// Where the planes of two faces that are not parallel intersect.
     pub(super) fn meet(field: &Field, i: &Plane, j: &Plane) -> Self {
         let ([ai, bi], [aj, bj]) = (&i.normal, &j.normal);
-        let m = cross(&i.normal, &j.normal);
-        let levels = [
-            i.level.times(bj).minus(&j.level.times(bi)),
-            j.level.times(ai).minus(&i.level.times(aj)),
-        ];
-        let rates = [
-            i.rate.times(bj).minus(&j.rate.times(bi)),
-            j.rate.times(ai).minus(&i.rate.times(aj)),
-        ];
+        let m = cross(field, &i.normal, &j.normal);
+        let solve = |i: &Num, j: &Num| {
+            let by = |p: &Num, b: &Num, q: &Num, a: &Num| field.mul(p, b).minus(&field.mul(q, a));
+            [by(i, bj, j, bi), by(j, ai, i, aj)]
+        };
+        let levels = solve(&i.level, &j.level);
+        let rates = solve(&i.rate, &j.rate);
         Self {
             at: levels,
             velocity: rates,
-            over: m.into(),
+            over: m,
         }
         .reduced(field)
     }
@@ -48,18 +47,17 @@ impl Motion {
     /// It leaves `point` at `time`, perpendicular to the face's edge, with its speed: the foot of a
     /// ghost arc, or the end of an edge both sides of which stand still.
     pub(super) fn ghost(field: &Field, face: &Plane, point: &Point, time: &Ratio) -> Self {
-        let square = dot(&face.normal, &face.normal);
         let (tn, td) = time.parts();
-        let scale = td.times(&square);
+        let scale = td.times(&face.square);
         let speed = field.mul(&face.rate, &point.bottom);
         let late = field.mul(&speed, tn);
         let fast = field.mul(&speed, td);
         let at = [0, 1].map(|k| {
             field
                 .mul(&point.tops[k], &scale)
-                .minus(&late.times(&face.normal[k]))
+                .minus(&field.mul(&late, &face.normal[k]))
         });
-        let velocity = [0, 1].map(|k| fast.times(&face.normal[k]));
+        let velocity = [0, 1].map(|k| field.mul(&fast, &face.normal[k]));
         Self {
             at,
             velocity,
@@ -120,9 +118,9 @@ impl Motion {
         let [a, b] = &face.normal;
         let gap = field
             .mul(&self.over, &face.level)
-            .minus(&self.at[0].times(a))
-            .minus(&self.at[1].times(b));
-        let closing = self.velocity[0].times(a).plus(&self.velocity[1].times(b));
+            .minus(&field.mul(&self.at[0], a))
+            .minus(&field.mul(&self.at[1], b));
+        let closing = dot(field, &self.velocity, &face.normal);
         Ratio::new(
             field,
             gap,
@@ -132,7 +130,7 @@ impl Motion {
 
     /// When two places on the plane of one face coincide; `None` for never or always.
     pub(super) fn joins(&self, field: &Field, other: &Self, face: &Plane) -> Option<Ratio> {
-        let axis = usize::from(face.direction[0] == IBig::ZERO);
+        let axis = usize::from(face.direction[0].is_zero());
         let gap = field
             .mul(&other.at[axis], &self.over)
             .minus(&field.mul(&self.at[axis], &other.over));

@@ -13,7 +13,8 @@ use hipline::skeleton::Side;
 use hipline::topology::{EdgeId, MeetingId, MotorcycleId, VertexId, WallId};
 
 use super::graph::Graph;
-use super::model::{Model, Plane, cross as cross_of};
+use super::heading::{cross as cross_of, turn as turn_of};
+use super::model::{Model, Plane};
 use super::number::{Field, Num};
 use super::ratio::Ratio;
 
@@ -371,7 +372,7 @@ impl World<'_> {
             .map(|planes| planes.expect("of a figure"));
         let planes = [planes[0][0], planes[1][1]];
         let [left, right] = planes.map(|plane| &model.planes[plane]);
-        if cross_of(&right.normal, &left.normal) <= IBig::ZERO {
+        if turn_of(n.0, &right.normal, &left.normal).is_le() {
             return;
         }
         let rider = Rider {
@@ -406,15 +407,10 @@ impl World<'_> {
 
 /// The velocity of the point on two planes.
 fn velocity(n: &Numbers, left: &Plane, right: &Plane) -> Vector {
-    let bottom = Num::from(cross_of(&left.normal, &right.normal));
-    let x = left
-        .rate
-        .times(&right.normal[1])
-        .minus(&right.rate.times(&left.normal[1]));
-    let y = right
-        .rate
-        .times(&left.normal[0])
-        .minus(&left.rate.times(&right.normal[0]));
+    let bottom = cross_of(n.0, &left.normal, &right.normal);
+    let by = |p: &Plane, q: &Plane, k: usize| n.0.mul(&p.rate, &q.normal[k]);
+    let x = by(left, right, 1).minus(&by(right, left, 1));
+    let y = by(right, left, 0).minus(&by(left, right, 0));
     [x, y].map(|top| n.quotient(top, bottom.clone()))
 }
 
@@ -428,11 +424,8 @@ pub fn reference_motorcycles(graph: &Graph) -> Vec<RefMotorcycle> {
     let mut starts: Vec<(usize, [usize; 2])> = (0..model.courses)
         .map(|arriving| [arriving, model.next[arriving]])
         .filter(|&[left, right]| {
-            let turn = cross_of(
-                &model.planes[left].direction,
-                &model.planes[right].direction,
-            );
-            model.inside[left] && turn < IBig::ZERO
+            let [i, j] = [left, right].map(|plane| &model.planes[plane].direction);
+            model.inside[left] && turn_of(&model.field, i, j).is_lt()
         })
         .map(|planes| (model.planes[planes[0]].ends[1], planes))
         .collect();

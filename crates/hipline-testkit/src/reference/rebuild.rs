@@ -14,8 +14,9 @@ use std::ops::Range;
 
 use hipline::skeleton::ArcKind;
 
-use super::model::{Vector, around};
+use super::heading::{Heading, around, dot};
 use super::motion::Point;
+use super::number::Num;
 use super::ratio::Ratio;
 use super::wave::{Link, Places, Wave};
 
@@ -30,7 +31,7 @@ struct Part {
 
 impl Wave<'_> {
     /// Moves on to `time`: events first, with the speeds so far, then changes of speed, then
-    /// neighbours on one line.
+    /// and tilted eaves, then neighbours on one line.
     pub(super) fn advance(&mut self, time: Ratio) {
         self.time = time;
         let (mut places, at) = self.places();
@@ -53,6 +54,7 @@ impl Wave<'_> {
         }
         self.go_on(&mut links, &mut places, &at, &ranges);
         self.change(&mut links, &mut places);
+        self.start_facets(&mut links, &mut places);
         self.settle(links, &mut places);
     }
 
@@ -97,7 +99,7 @@ impl Wave<'_> {
         }
         let goes_on = |links: &[Link], l: usize| {
             let corner = links[l].corner.as_ref();
-            corner.is_some_and(|corner| corner.turn == Ordering::Equal)
+            corner.is_some_and(|corner| corner.as_one)
         };
         let heads: Vec<usize> = (0..links.len())
             .filter(|&l| links[l].alive && !goes_on(links, before[l]))
@@ -216,9 +218,7 @@ impl Wave<'_> {
         let face = self.plane(face);
         let (tn, td) = self.time.parts();
         let right = field.mul(&face.rate, tn).plus(&field.mul(td, &face.level));
-        let left = point.tops[0]
-            .times(&face.normal[0])
-            .plus(&point.tops[1].times(&face.normal[1]));
+        let left = dot(field, &point.tops, &face.normal);
         field
             .mul(&left, td)
             .minus(&field.mul(&point.bottom, &right))
@@ -292,17 +292,18 @@ impl Wave<'_> {
     /// Links what arrives at a place to what leaves it, sector by sector.
     fn link(&self, links: &mut [Link], place: usize) {
         let direction = |l: usize| &self.plane(links[l].face).direction;
-        let mut rays: Vec<(Vector, usize, bool)> = Vec::new();
+        let mut rays: Vec<(Heading, usize, bool)> = Vec::new();
         for (l, link) in links.iter().enumerate().filter(|(_, link)| link.alive) {
             if link.from == place {
                 rays.push((direction(l).clone(), l, true));
             }
             if link.to == place {
-                rays.push((direction(l).clone().map(|x| -x), l, false));
+                rays.push((direction(l).each_ref().map(Num::opposite), l, false));
             }
         }
         // Of two that lie back to back, the one that arrives has its sector before the ray.
-        rays.sort_by(|a, b| around(&a.0, &b.0).then(a.2.cmp(&b.2)));
+        let field = &self.model.field;
+        rays.sort_by(|a, b| around(field, &a.0, &b.0).then(a.2.cmp(&b.2)));
         for i in 0..rays.len() {
             let (_, arriving, leaves) = rays[i];
             if leaves {
@@ -315,7 +316,7 @@ impl Wave<'_> {
                 "unswept sectors overlap at place {place}: {rays:?}"
             );
             assert!(
-                around(&rays[i].0, before) != Ordering::Equal || rays.len() == 2,
+                around(field, &rays[i].0, before) != Ordering::Equal || rays.len() == 2,
                 "an unswept sector of no width at place {place}: {rays:?}"
             );
             links[arriving].next = *leaving;

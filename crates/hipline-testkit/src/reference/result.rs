@@ -180,6 +180,46 @@ impl Reference {
         );
     }
 
+    /// Whether the surface passes through every edge at its heights: each wall goes from the ground to its
+    /// eave, from end to end.
+    #[must_use]
+    pub fn reaches_heights(&self, graph: &Graph) -> bool {
+        let walls = self
+            .faces
+            .iter()
+            .enumerate()
+            .filter(|&(face, &(edge, side, phase))| {
+                let high = graph.edges[edge]
+                    .ends
+                    .iter()
+                    .any(|&end| graph.height(end) > 0.0);
+                let is_wall = phase == 0 && matches!(side, Side::Left | Side::Right);
+                self.covered[face] && is_wall && high
+            });
+        walls
+            .map(|(face, &(edge, ..))| (face, edge))
+            .all(|(face, edge)| {
+                let ends = graph.edges[edge].ends;
+                let is_top = |node: &RefNode, end: usize| {
+                    let at = |k: usize| node.place[k].total_cmp(&graph.vertices[end][k]).is_eq();
+                    (0..2).all(at) && node.time.total_cmp(&graph.height(end)).is_eq()
+                };
+                let beside = self.arcs.iter().filter(|arc| arc.faces.contains(&face));
+                let nodes = || {
+                    beside
+                        .clone()
+                        .flat_map(|arc| arc.nodes)
+                        .map(|node| &self.nodes[node])
+                };
+                let fits =
+                    |node: &RefNode| node.time <= 0.0 || ends.iter().any(|&end| is_top(node, end));
+                nodes().all(fits)
+                    && ends.iter().all(|&end| {
+                        graph.height(end) <= 0.0 || nodes().any(|node| is_top(node, end))
+                    })
+            })
+    }
+
     /// The number of arcs at each node.
     #[must_use]
     pub fn degrees(&self) -> Vec<usize> {

@@ -4,11 +4,12 @@ use std::cmp::Ordering;
 use std::collections::HashMap;
 use std::rc::Rc;
 
-use dashu_int::IBig;
 use hipline::skeleton::ArcKind;
 
-use super::model::{Model, Plane, cross, dot};
+use super::heading::{cross, dot, turn};
+use super::model::{Model, Plane};
 use super::motion::{Motion, Point};
+use super::number::Field;
 use super::ratio::Ratio;
 
 /// A vertex of the wavefront.
@@ -23,6 +24,8 @@ pub(super) struct Corner {
     pub faces: [usize; 2],
     /// `Greater` for convex, `Less` for reflex, `Equal` for the foot of a ghost arc.
     pub turn: Ordering,
+    /// Whether the two edges go on as one: on one plane, now and in future.
+    pub as_one: bool,
     /// The terminal that has not moved yet, at the end of an edge both sides of which stand still.
     pub terminal: Option<usize>,
 }
@@ -121,7 +124,10 @@ impl<'a> Wave<'a> {
             // Terminals are put in where their edge ends in nothing.
             alive: take(f) && plane.ends[0] != plane.ends[1],
         });
-        wave.settle(links.collect(), &mut Places { points, nodes });
+        let mut links = links.collect();
+        let places = &mut Places { points, nodes };
+        wave.start_facets(&mut links, places);
+        wave.settle(links, places);
         wave
     }
 
@@ -152,7 +158,10 @@ impl<'a> Wave<'a> {
             "an arc of length zero between {:?}",
             corner.faces
         );
+        let [i, j] = corner.faces.map(|face| self.plane(face));
         let kind = match corner.turn {
+            // Between a wall and the facet above it.
+            Ordering::Greater | Ordering::Less if i.course == j.course => ArcKind::Crease,
             Ordering::Greater => ArcKind::Ridge,
             Ordering::Less => ArcKind::Valley,
             Ordering::Equal => ArcKind::Ghost,
@@ -220,11 +229,13 @@ impl<'a> Wave<'a> {
                 continue;
             }
             let sides = [links[l].face, links[next].face].map(|face| self.plane(face));
-            if !turns_back(sides[0], sides[1]) {
+            if !turns_back(&self.model.field, sides[0], sides[1]) {
                 continue;
             }
             let place = links[l].to;
-            let course = self.terminal_at(&places.points[place]);
+            let Some(course) = self.terminal_at(&places.points[place]) else {
+                continue;
+            };
             let plane = self.model.plane_at(course, &self.time);
             if sides.iter().all(|side| side.stands()) && self.model.planes[plane].stands() {
                 continue;
@@ -233,11 +244,7 @@ impl<'a> Wave<'a> {
                 let node = self.node(places, place);
                 self.finish(&corner, node);
             }
-            let face = if plane < self.model.courses {
-                plane
-            } else {
-                self.face(plane)
-            };
+            let face = self.face(plane);
             links[l].next = links.len();
             links.push(Link {
                 face,
@@ -250,8 +257,9 @@ impl<'a> Wave<'a> {
         }
     }
 
-    /// The terminal at a place where a wavefront turns back: nothing else can be there.
-    fn terminal_at(&self, point: &Point) -> usize {
+    /// The terminal at a place where a wavefront turns back. There is none where both sides of a wall have grown
+    /// beyond its end, because others passed below its eave.
+    fn terminal_at(&self, point: &Point) -> Option<usize> {
         let Model {
             points,
             field,
@@ -261,29 +269,31 @@ impl<'a> Wave<'a> {
         let vertex = points
             .iter()
             .position(|vertex| Point::integer(vertex).compare(point, field) == Ordering::Equal);
-        let terminal = vertex.and_then(|vertex| terminals[vertex]);
-        terminal.expect("the wavefront turns back at terminals only")
+        vertex.and_then(|vertex| terminals[vertex])
     }
 
-    /// A new face on a plane of a later phase.
+    /// The face on a plane of phase 0, or a new face on one of a later phase.
     pub(super) fn face(&mut self, plane: usize) -> usize {
+        if plane < self.model.courses {
+            return plane;
+        }
         self.faces.push(plane);
         self.faces.len() - 1
     }
 
     fn corner(&mut self, origin: usize, point: &Point, faces: [usize; 2]) -> Rc<Corner> {
         let [i, j] = faces.map(|face| self.plane(face));
-        let mut turn = cross(&i.direction, &j.direction).cmp(&IBig::ZERO);
+        let mut turn = turn(&self.model.field, &i.direction, &j.direction);
         let mut terminal = None;
         let motion = if turn != Ordering::Equal {
             Motion::meet(&self.model.field, i, j)
         } else {
-            if turns_back(i, j) {
+            if turns_back(&self.model.field, i, j) {
                 assert!(
                     i.stands() && j.stands(),
                     "wavefront edges of faces {faces:?} lie on each other"
                 );
-                terminal = Some(self.terminal_at(point));
+                terminal = self.terminal_at(point);
                 turn = Ordering::Less;
             }
             Motion::ghost(&self.model.field, i, point, &self.time)
@@ -295,6 +305,7 @@ impl<'a> Wave<'a> {
             origin,
             faces,
             turn,
+            as_one: turn == Ordering::Equal && !are_walls([i, j]),
             terminal,
         })
     }
@@ -309,7 +320,8 @@ impl<'a> Wave<'a> {
         let mut best: Option<(usize, usize)> = None;
         for (l, link) in links.iter().enumerate().filter(|(_, link)| link.alive) {
             let [i, j] = [link.face, links[link.next].face];
-            if !same_direction(self.plane(i), self.plane(j)) {
+            let planes = [i, j].map(|face| self.plane(face));
+            if !same_direction(&self.model.field, planes[0], planes[1]) || are_walls(planes) {
                 continue;
             }
             let fast = match self.model.faster(self.faces[i], self.faces[j]) {
@@ -367,13 +379,21 @@ impl<'a> Wave<'a> {
 }
 
 /// Do the two wavefront edges run in one direction?
-fn same_direction(i: &Plane, j: &Plane) -> bool {
-    cross(&i.direction, &j.direction) == IBig::ZERO && dot(&i.direction, &j.direction) > IBig::ZERO
+pub(super) fn same_direction(field: &Field, i: &Plane, j: &Plane) -> bool {
+    cross(field, &i.direction, &j.direction).is_zero()
+        && field.sign(&dot(field, &i.direction, &j.direction)) == Ordering::Greater
 }
 
 /// Do they run in opposite directions?
-fn turns_back(i: &Plane, j: &Plane) -> bool {
-    cross(&i.direction, &j.direction) == IBig::ZERO && dot(&i.direction, &j.direction) < IBig::ZERO
+fn turns_back(field: &Field, i: &Plane, j: &Plane) -> bool {
+    cross(field, &i.direction, &j.direction).is_zero()
+        && field.sign(&dot(field, &i.direction, &j.direction)) == Ordering::Less
+}
+
+/// Do both stand still, and is one of them the wall below a tilted eave? On one line, they stay side by
+/// side.
+fn are_walls(planes: [&Plane; 2]) -> bool {
+    planes.iter().all(|plane| plane.stands()) && planes.iter().any(|plane| plane.eave.is_some())
 }
 
 /// Neighbours that belong to one face are one edge.

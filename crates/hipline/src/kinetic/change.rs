@@ -189,12 +189,14 @@ impl Kinetic<'_> {
                 let arrived = arrived.get_or_insert_with(|| self.arrived());
                 let here = arrived.get(&self.terminals[terminal].edge);
                 let here = here.into_iter().flatten().copied();
+                let here = here.chain(self.arrived_as_one(terminal));
                 let post = self.terminal_plane(terminal);
                 let is_at = |&x: &TraceId| {
                     let pair = self.front.trace(x).pair;
                     self.planes.lead(&self.now, pair, post).is_zero()
                 };
-                if let Some(here) = here.into_iter().find(is_at) {
+                let found = here.into_iter().find(is_at);
+                if let Some(here) = found {
                     self.opens(here, terminal, plane);
                 }
             }
@@ -302,6 +304,23 @@ impl Kinetic<'_> {
         self.front.end_moves(x, new);
         self.front.start_moves(x, new);
         new
+    }
+
+    /// The new vertices between wavefront edges that went on as one with the facets on both sides of a terminal's
+    /// edge.
+    fn arrived_as_one(&self, terminal: usize) -> impl Iterator<Item = TraceId> + '_ {
+        let edge = self.terminals[terminal].edge as u32;
+        let facet = |plane| self.planes.phases.plane(PlaneId(plane), 1);
+        let facets = [facet(2 * edge), facet(2 * edge + 1)];
+        let is_one = move |plane, k: usize| {
+            facets[k].is_some_and(|facet| self.planes.coplanar(plane, facet))
+        };
+        self.batch.fresh.iter().copied().filter(move |&x| {
+            let trace = self.front.trace(x);
+            let [i, j] = [trace.inn, trace.out].map(|wave| self.front.wave(wave).plane);
+            trace.end == End::Moving
+                && (is_one(i, 0) && is_one(j, 1) || is_one(i, 1) && is_one(j, 0))
+        })
     }
 
     /// By edge, the new vertices between the facets on both sides of it: they may have come up to a terminal

@@ -126,6 +126,21 @@ impl Kinetic<'_> {
         end
     }
 
+    /// Whether one of two wavefront edges on one line is the wall of an eave that rises from the vertex between
+    /// them from the start on: its facet comes between the two, if it starts. Until then, the vertex is at a
+    /// post.
+    pub(super) fn post_below(&self, i: WaveId, j: WaveId) -> Option<[PlaneId; 2]> {
+        let [i, j] = [i, j].map(|wave| self.front.wave(wave).plane);
+        let phases = &self.planes.phases;
+        let rises = |wall: PlaneId, rises: bool| {
+            let eave = phases.eave_of(wall)?;
+            (eave.rises == rises && eave.from <= 0.0).then(|| eave.low_post())
+        };
+        rises(i, false)
+            .map(|post| [post, i])
+            .or_else(|| rises(j, true).map(|post| [post, j]))
+    }
+
     /// Whether a wall of a tilted eave lies on one line with another wall: the vertex between them
     /// stands at a post.
     pub(super) fn post_between(&self, i: WaveId, j: WaveId) -> Option<[PlaneId; 2]> {

@@ -107,9 +107,9 @@ impl Kinetic<'_> {
             [None, Some(wave), None] => height(1, wave),
             [None, None, Some(wave)] => height(2, wave),
             // Between two wavefront edges of positive length the angle decides.
-            [None, _, _] => self.turn_at(triangle.tips[0]),
-            [_, None, _] => self.turn_at(triangle.tips[1]),
-            [_, _, _] => self.turn_at(triangle.tips[2]),
+            [None, _, _] => self.angle_at(triangle.tips[0]),
+            [_, None, _] => self.angle_at(triangle.tips[1]),
+            [_, _, _] => self.angle_at(triangle.tips[2]),
         };
         match sign {
             Sign::Positive => Shape::Solid,
@@ -122,6 +122,16 @@ impl Kinetic<'_> {
         self.front
             .trace(tip.trace().expect("wavefront edges are finite"))
             .turn
+    }
+
+    /// The turn from one wavefront edge to the next at the vertex between them; zero between walls on one line.
+    fn angle_at(&self, tip: Tip) -> Sign {
+        let trace = (self.front).trace(tip.trace().expect("wavefront edges are finite"));
+        let [i, j] = [trace.inn, trace.out].map(|wave| self.front.wave(wave).plane);
+        if self.planes.phases.is_post(trace.pair[0]) && self.planes.same_direction(i, j) {
+            return self.planes.turn(i, j);
+        }
+        trace.turn
     }
 
     /// Whether a wavefront edge has length zero at a moment for the simple reason that

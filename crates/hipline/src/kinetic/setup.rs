@@ -241,6 +241,7 @@ impl<'a> Kinetic<'a> {
 
     /// What happens at time zero.
     pub(super) fn start(&mut self) {
+        let mut below = Vec::new();
         for i in 0..self.front.traces.len() {
             let x = TraceId::new(i);
             let Trace { inn, out, .. } = *self.front.trace(x);
@@ -260,7 +261,13 @@ impl<'a> Kinetic<'a> {
                         trace.pair = pair;
                         trace.turn = Sign::Negative;
                     }
-                    None => self.batch.straight.push(x),
+                    None => match self.post_below(inn, out) {
+                        Some(pair) => {
+                            self.front.trace_mut(x).pair = pair;
+                            below.push(x);
+                        }
+                        None => self.batch.straight.push(x),
+                    },
                 },
             }
         }
@@ -276,6 +283,9 @@ impl<'a> Kinetic<'a> {
         self.open_moved_terminals();
         self.refresh_pairs();
         self.start_facets(None);
+        let front = &self.front;
+        below.retain(|&x| front.trace(x).end == End::Moving);
+        self.batch.straight.extend(below);
         self.remove_straight_vertices();
         self.batch.dirty.clear();
         self.batch.fresh.clear();

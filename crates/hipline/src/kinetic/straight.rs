@@ -9,9 +9,10 @@
 
 use super::{
     Kinetic,
+    schedule::corner,
     triangulation::{Spokes, Tip, next, prev},
 };
-use crate::predicates::Moment;
+use crate::predicates::{Area, Moment, Part};
 use crate::topology::{TraceId, WaveId};
 use crate::wavefront::{End, Trace, Walk};
 use hipline_num::Sign;
@@ -123,20 +124,33 @@ impl Kinetic<'_> {
         let mut fan: Spokes = self.triangulation.fan(trace.out).collect();
         let is_from_end = keep == trace.inn;
         let first = |len: usize| if is_from_end { len - 2 } else { 0 };
-        let mut i = first(fan.len().max(2));
+        let (mut i, mut failed) = (first(fan.len().max(2)), 0);
         while fan.len() > 2 {
             let (t, corner) = fan[i];
             let (other, k) = fan[i + 1];
             let tips = self.triangulation.get(t).tips;
             let (a, b) = (tips[next(corner)], tips[prev(corner)]);
             let c = self.triangulation.get(other).tips[prev(k)];
-            if self.orientation([a, b, c]) != Sign::Positive {
+            // Beside wavefront edges of length zero no triangle has an area yet; there, that decides which will
+            // have one.
+            let is_ear = match self.orientation([a, b, c]) {
+                Sign::Positive => true,
+                Sign::Zero => failed > fan.len() && self.area_grows([a, b, c]),
+                Sign::Negative => false,
+            };
+            if !is_ear {
+                failed += 1;
+                assert!(
+                    failed <= 3 * fan.len() + 3,
+                    "{p} is straight and has no ear"
+                );
                 i = match i.checked_add_signed(if is_from_end { -1 } else { 1 }) {
                     Some(i) if i + 1 < fan.len() => i,
                     _ => first(fan.len()),
                 };
                 continue;
             }
+            failed = 0;
             // The spoke p-b lies on the side of `t` after the corner.
             self.triangulation.flip(t, next(corner));
             self.stats.flips += 1;
@@ -185,6 +199,16 @@ impl Kinetic<'_> {
         crate::predicates::orientation(places)
     }
 
+    /// Whether a triangle without area has one just after this moment.
+    fn area_grows(&self, tips: [Tip; 3]) -> bool {
+        let corners = tips.map(|tip| corner(&self.front, tip));
+        let sign = |part| self.planes.sign_at(&self.now, &Area(corners, part));
+        match sign(Part::Slope) {
+            Sign::Zero => sign(Part::Curvature).is_positive(),
+            slope => slope.is_positive(),
+        }
+    }
+
     /// Two wavefront edges on one plane become one.
     fn join(&mut self, p: TraceId) {
         let trace = *self.front.trace(p);
@@ -227,10 +251,10 @@ impl Kinetic<'_> {
                 self.front.trace_mut(p).end = End::At(self.front.trace(v).born);
                 // Of several bases on one plane, the last one ends at v.
                 let mut last = slow;
-                while self.front.after_base[last as usize] != Walk::Up(v) {
-                    let Walk::Up(ghost) = self.front.after_base[last as usize] else {
-                        unreachable!("bases on one line are linked through their ghosts")
-                    };
+                // (A facet that started at v has given the place to a new vertex.)
+                while let Walk::Up(ghost) = self.front.after_base[last as usize]
+                    && self.front.trace(ghost).end == End::Ghost
+                {
                     let Walk::Base(after) = self.front.trace(ghost).after_down else {
                         unreachable!("bases on one line are linked through their ghosts")
                     };

@@ -68,11 +68,11 @@ impl Planes {
     /// Whether a wavefront edge of length zero, between two others, starts to grow.
     pub(crate) fn grows(&self, [before, plane, after]: [PlaneId; 3]) -> bool {
         let turns = [self.turn(before, plane), self.turn(plane, after)];
-        // On one plane with its neighbour, it goes on as one with it.
+        // On one plane with its neighbour, it goes on as one with it; a slower one it overruns.
         for (turn, other) in turns.into_iter().zip([before, after]) {
             if turn.is_zero() {
                 return self.same_direction(plane, other)
-                    && self.compare_speeds(plane, other).is_eq();
+                    && self.compare_speeds(plane, other).is_ge();
             }
         }
         self.sign_of(&Closing([before, plane, after])) == -(turns[0] * turns[1])

@@ -83,7 +83,7 @@ impl Terminal {
         changes.sort_by(|a, b| a.time.total_cmp(&b.time));
         let height = figure.height(VertexId::new(self.tip));
         let mut list = vec![[0.0, self.speed]];
-        if height > 0.0 {
+        if height > 0.0 && self.speed > 0.0 {
             list = vec![[0.0, 0.0], [height, self.speed]];
         }
         for together in changes.chunk_by(|a, b| a.time.to_bits() == b.time.to_bits()) {

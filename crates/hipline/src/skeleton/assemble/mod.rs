@@ -364,6 +364,10 @@ impl Assembly<'_> {
         }
         let (nodes, number) = self.number_nodes();
         let name = |node: u32| NodeId::new(number[node as usize] as usize);
+        let is_eave = |piece: &Piece| {
+            let [i, j] = piece.faces.map(|face| &faces[face as usize]);
+            i.phase != j.phase && i.edge == j.edge && i.side == j.side
+        };
         let mut arcs = Vec::with_capacity(self.pieces.len());
         arcs.extend(
             self.pieces
@@ -372,7 +376,11 @@ impl Assembly<'_> {
                 .map(|piece| Arc {
                     nodes: [name(piece.from), name(piece.to)],
                     faces: piece.faces.map(|face| FaceId::new(face as usize)),
-                    kind: piece.kind,
+                    kind: match piece.kind {
+                        // The facet went on as one with another, whose plane the trace had.
+                        ArcKind::Ridge | ArcKind::Valley if is_eave(piece) => ArcKind::Crease,
+                        kind => kind,
+                    },
                 }),
         );
         Skeleton {

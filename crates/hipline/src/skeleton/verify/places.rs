@@ -129,8 +129,12 @@ impl Checker<'_> {
                 return [None; 2];
             };
             let edges = &self.skeleton.input.edges;
-            arc.faces
-                .map(|face| self.planes.post_at(edges, self.plane_of(face), vertex))
+            let walls = arc.faces.map(|face| self.plane_of(face));
+            // An eave may start at a vertex too; its other end is elsewhere.
+            if !walls.iter().all(|&wall| self.planes.stands_still(wall)) {
+                return [None; 2];
+            }
+            walls.map(|wall| self.planes.post_at(edges, wall, vertex))
         };
         self.incidence.arcs(node).iter().flat_map(at).flatten()
     }
