@@ -807,7 +807,7 @@ fn centrelines_have_times_and_widths() {
     let output = run(&["centreline", "-", "--extend"], RECTANGLE);
     assert_eq!(code(&output), 0, "{}", err(&output));
     let feature = &json(out(&output))["features"][0];
-    let line = "[[0,2,0],[2,2,2],[6,2,2],[8,2,0]]";
+    let line = "[[8,2,0],[6,2,2],[2,2,2],[0,2,0]]";
     assert_eq!(feature["geometry"]["type"], "LineString");
     assert_eq!(feature["geometry"]["coordinates"], json(line));
     let properties = &feature["properties"];
