@@ -262,27 +262,14 @@ impl Kinetic<'_> {
     }
 
     /// A terminal starts: before facets over tilted eaves do, or else when no straight vertex is left, because the
-    /// triangles beside its wavefront edge have no area yet. At the upper end of a tilted eave it stays closed if no facet has
-    /// come up to it: between two walls on one line nothing has a length.
+    /// triangles beside its wavefront edge have no area yet.
     fn opens(&mut self, x: TraceId, terminal: usize, plane: PlaneId) {
-        let edge = self.terminals[terminal].edge;
-        let sides = [0, 1].map(|side| PlaneId(2 * edge as u32 + side));
-        let eave = sides
-            .into_iter()
-            .find_map(|side| self.planes.phases.eave_of(side));
-        let Some(eave) = eave else {
-            self.changes.opening.push((x, terminal, plane));
-            return;
-        };
-        // The wavefront edge on the left starts where the edge does.
-        let is_first = self.figure.edges()[edge].from.index() == self.terminals[terminal].tip;
-        let is_low = eave.rises == (is_first == (eave.wall == sides[0]));
-        let Trace { inn, out, .. } = *self.front.trace(x);
-        let stands = |wave| self.planes.stands_still(self.front.wave(wave).plane);
-        if !is_low && stands(inn) && stands(out) {
-            self.changes.closed.insert(terminal, x);
-        } else {
+        let edge = self.terminals[terminal].edge as u32;
+        let mut sides = [PlaneId(2 * edge), PlaneId(2 * edge + 1)].into_iter();
+        if sides.any(|side| self.planes.phases.eave_of(side).is_some()) {
             self.open_terminal(x, terminal, plane);
+        } else {
+            self.changes.opening.push((x, terminal, plane));
         }
     }
 
