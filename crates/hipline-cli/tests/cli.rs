@@ -826,9 +826,9 @@ fn centrelines_have_times_and_widths() {
         assert!(same, "{name}: {found}");
     }
     for (measure, line) in [
-        ("z", "LINESTRING Z (2 2 2, 6 2 2)"),
-        ("m", "LINESTRING M (2 2 2, 6 2 2)"),
-        ("zm", "LINESTRING ZM (2 2 2 4, 6 2 2 4)"),
+        ("z", "LINESTRING Z (6 2 2, 2 2 2)"),
+        ("m", "LINESTRING M (6 2 2, 2 2 2)"),
+        ("zm", "LINESTRING ZM (6 2 2 4, 2 2 2 4)"),
     ] {
         let output = run(
             &["centreline", "-", "--format", "wkt", "--measure", measure],
