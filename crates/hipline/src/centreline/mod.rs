@@ -30,11 +30,11 @@
 //! let polygon = Polygon::new([street])?;
 //! let skeleton = polygon.skeleton();
 //! let lines = skeleton.centreline(polygon.figure(), CentrelineOptions::default())?;
-//! assert_eq!(lines.lines()[0].points(), [[2.0, 2.0, 2.0], [6.0, 2.0, 2.0]]);
+//! assert_eq!(lines.lines()[0].points(), [[6.0, 2.0, 2.0], [2.0, 2.0, 2.0]]);
 //!
 //! let whole = CentrelineOptions::default().extend(true);
 //! let lines = skeleton.centreline(polygon.figure(), whole)?;
-//! let ends = [[0.0, 2.0, 0.0], [2.0, 2.0, 2.0], [6.0, 2.0, 2.0], [8.0, 2.0, 0.0]];
+//! let ends = [[8.0, 2.0, 0.0], [6.0, 2.0, 2.0], [2.0, 2.0, 2.0], [0.0, 2.0, 0.0]];
 //! assert_eq!(lines.lines()[0].points(), ends);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
