@@ -182,6 +182,8 @@ impl Kinetic<'_> {
             let is_there = self.front.trace(x).end == End::Moving;
             if let Some(here) = successor.get(&x).copied() {
                 self.opens(here, terminal, plane);
+            } else if is_there && self.is_between_walls(x, terminal) {
+                self.changes.closed.insert(terminal, x);
             } else if is_there {
                 let new = self.restart(x);
                 self.opens(new, terminal, plane);
@@ -209,6 +211,25 @@ impl Kinetic<'_> {
                 *here = new;
             }
         }
+    }
+
+    /// Whether a terminal at the upper end of a tilted eave has no facet beside it when it would start: none has come up to it, so
+    /// its wavefront edge would lie between two walls on one line for ever, and have no length.
+    fn is_between_walls(&self, x: TraceId, terminal: usize) -> bool {
+        let edge = self.terminals[terminal].edge;
+        let sides = [0, 1].map(|side| PlaneId(2 * edge as u32 + side));
+        let eave = |side| self.planes.phases.eave_of(side);
+        let Some(eave) = sides.into_iter().find_map(eave) else {
+            return false;
+        };
+        // The wavefront edge on the left starts where the edge does.
+        let is_first = self.figure.edges()[edge].from.index() == self.terminals[terminal].tip;
+        let is_low = eave.rises == (is_first == (eave.wall == sides[0]));
+        let Trace { inn, out, .. } = *self.front.trace(x);
+        !is_low
+            && [inn, out]
+                .into_iter()
+                .all(|wave| self.planes.stands_still(self.front.wave(wave).plane))
     }
 
     /// The terminal whose wavefront edge has a plane at first.
