@@ -2,7 +2,8 @@
 //!
 //! `cargo run --release -p hipline-testkit --example hunt -- FIRST COUNT [MOST]` tries COUNT seeds
 //! from FIRST on, on all cores, and prints up to MOST failures, each reduced. With `weighted` before
-//! the numbers, cases have speeds of zero and speeds that change; with `tilted`, vertices have heights. With the name of a
+//! the numbers, cases have speeds of zero and speeds that change; with `tilted`, vertices have heights; with
+//! `fine`, coordinates have many digits. With the name of a
 //! corpus file instead of numbers, it tries that case as it is.
 
 use std::env;
@@ -10,22 +11,12 @@ use std::fs;
 use std::thread;
 
 use hipline_testkit::Case;
-use hipline_testkit::generate::{small, small_tilted, small_weighted};
+use hipline_testkit::generate::named;
 use hipline_testkit::hunt::{failure, hunt};
 
 fn main() {
     let mut arguments: Vec<String> = env::args().skip(1).collect();
-    let generate: fn(u64) -> Case = match arguments.first().map(String::as_str) {
-        Some("weighted") => small_weighted,
-        Some("tilted") => small_tilted,
-        _ => small,
-    };
-    let named = arguments
-        .first()
-        .is_some_and(|first| first == "weighted" || first == "tilted");
-    if named {
-        arguments.remove(0);
-    }
+    let generate = named(&mut arguments);
     let number = |k: usize| arguments.get(k).and_then(|text| text.parse::<u64>().ok());
     if let (Some(file), None) = (arguments.first(), number(0)) {
         let text = fs::read_to_string(file).expect("a readable file");

@@ -1,8 +1,8 @@
 //! The library against the reference engine, arc for arc and bit for bit, on random small cases; and its own
 //! verification.
 //!
-//! In release builds 20,000 seeds, and 10,000 with speeds of zero and speeds that change; in debug
-//! builds, which are some twenty times slower, 500 and 300.
+//! In release builds 20,000 seeds, 10,000 with speeds of zero and speeds that change, and 2,000 with coordinates of many digits; in debug
+//! builds, which are some twenty times slower, 500, 300 and 100.
 //! `HIPLINE_CASES` sets another count, and a longer run goes by
 //! `cargo run --release -p hipline-testkit --example hunt -- FIRST COUNT`.
 
@@ -11,7 +11,7 @@ use std::thread;
 use hipline::{Engine, Options};
 use hipline_testkit::Case;
 use hipline_testkit::case::Part;
-use hipline_testkit::generate::{Family, small, small_weighted};
+use hipline_testkit::generate::{Family, small, small_fine, small_weighted};
 use hipline_testkit::hunt::hunt;
 
 /// Runs the seeds of a kind of cases.
@@ -46,6 +46,11 @@ fn agrees(generate: fn(u64) -> Case, release: u64, debug: u64) {
 #[test]
 fn agrees_with_the_reference() {
     agrees(small, 20_000, 500);
+}
+
+#[test]
+fn agrees_with_the_reference_on_fine_coordinates() {
+    agrees(small_fine, 2_000, 100);
 }
 
 #[test]

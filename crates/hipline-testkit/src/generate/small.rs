@@ -76,6 +76,21 @@ pub fn small(seed: u64) -> Case {
     case
 }
 
+/// As [`small`], with a triangle beside it whose lowest corner is not on the grid: seen in the common unit,
+/// all coordinates have some 86 binary digits.
+#[must_use]
+pub fn small_fine(seed: u64) -> Case {
+    let mut case = small(seed);
+    case.comments = vec![format!("small_fine({seed})")];
+    let low = if seed.is_multiple_of(2) { -1.0 } else { 1.0 } / (1_u128 << 80) as f64;
+    case.parts.push(Part::polygon(vec![vec![
+        [-40.0, low],
+        [-37.0, 2.0],
+        [-38.0, 4.0],
+    ]]));
+    case
+}
+
 /// A small case of one kind, without weights.
 #[must_use]
 pub fn small_of(kind: Kind, seed: u64) -> Case {

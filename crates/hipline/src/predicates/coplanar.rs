@@ -13,8 +13,8 @@ impl Planes {
     pub(crate) fn classes(&self) -> Vec<u32> {
         debug_assert!(self.is_unweighted());
         let mut keys: Vec<([IBig; 3], u32)> = Vec::with_capacity(2 * self.lines.len());
-        for (line, number) in self.lines.iter().zip(0_u32..) {
-            let left = line.integers();
+        for number in 0..self.lines.len() as u32 {
+            let left = self.integers(number as usize);
             let right = left.each_ref().map(|x| -x);
             keys.push((left, 2 * number));
             keys.push((right, 2 * number + 1));

@@ -15,7 +15,8 @@
 use dashu_int::{IBig, UBig, ops::UnsignedAbs};
 use hipline_num::{BallDd, in_units};
 
-use super::planes::{Line, Plane, PlaneId, Planes, Rung};
+use super::lines::Line;
+use super::planes::{Plane, PlaneId, Planes, Rung};
 use crate::{input::Figure, topology::EdgeId};
 
 /// A side of an edge whose ends have different heights.

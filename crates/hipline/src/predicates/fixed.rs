@@ -12,7 +12,8 @@ use std::rc::Rc;
 use super::{
     eaves::{Tilted, tabled},
     expression::{Quadratic, any_meeting},
-    planes::{Line, Plane, PlaneId, Planes, Rung, exact_time},
+    lines::Line,
+    planes::{Plane, PlaneId, Planes, Rung, exact_time},
 };
 
 /// A length: an integer, times a root unless the number is 0.
@@ -59,7 +60,7 @@ impl Lengths {
             of_line.resize(planes.lines.len(), 0);
         }
         if of_line[line] == 0 {
-            let [a, b, _] = planes.lines[line].integers();
+            let [a, b, _] = planes.integers(line);
             let square = (&a * &a + &b * &b).unsigned_abs();
             of_line[line] = self.find(&square);
         }
@@ -99,6 +100,7 @@ impl<I: Integer> Bare<I> {
         let [a, b, c] = match &planes.lines[line] {
             Line::Small { a, b, c } => [i128::from(*a), i128::from(*b), *c].map(I::from_i128),
             Line::Big(abc) => abc.each_ref().map(I::from_int),
+            Line::Between(_) => planes.integers(line).each_ref().map(I::from_int),
             Line::Level(_) | Line::Tilted(_) => return None,
         };
         let Length { multiple, root } = planes.lengths.of(planes, line);
@@ -157,6 +159,7 @@ impl<I: Integer> Rung for Fixed<I> {
         let [a, b, c] = match &planes.lines[line] {
             Line::Small { a, b, c } => [i128::from(*a), i128::from(*b), *c].map(I::from_i128),
             Line::Big(abc) => abc.each_ref().map(I::from_int),
+            Line::Between(_) => planes.integers(line).each_ref().map(I::from_int),
             Line::Level(c) => {
                 let [zero, one] = [0, 1].map(|i| Self::from_integer(I::from_i128(i)));
                 return [zero.clone(), zero, Self::from_integer(I::from_int(c)), one];

@@ -13,6 +13,7 @@ mod fall;
 mod fixed;
 mod grid;
 mod heading;
+mod lines;
 mod moment;
 mod motions;
 mod orientation;

@@ -6,14 +6,14 @@
 //! two, `a`, `b`, `c` and `w` are integers; dividing `a`, `b`, `c` by `gcd(a, b)` keeps
 //! them small on grids. The root is the only irrational number in the plane.
 
-use dashu_int::{IBig, UBig, ops::Gcd, ops::UnsignedAbs};
+use dashu_int::IBig;
 use hipline_num::{
-    Ball, BallDd, Number, Rough, Rungs, Sign, Surd, Wide, common_unit, f64_to_parts, in_units,
-    perfect_root,
+    Ball, BallDd, Number, Rough, Rungs, Sign, Surd, Wide, common_unit, f64_to_parts,
 };
 use std::cell::Cell;
 
-use super::grid::{gcd, near, near_big, small_in_units, small_root};
+use super::grid::small_in_units;
+use super::lines::Line;
 use super::phases::{self, Phases};
 use super::speeds;
 use super::{
@@ -22,7 +22,6 @@ use super::{
     expression::{Corner, Quadratic, any_meeting, area, meeting},
     fixed::Lengths,
     root::{ball_root, dd_root, wide_root},
-    rough,
 };
 use crate::input::Figure;
 
@@ -69,43 +68,6 @@ impl<T: Number> Plane<T> {
     #[inline]
     pub(super) fn reach(&self, [x, y, w]: [&T; 3]) -> T {
         self.away(x, y).minus(&self.c.times(w))
-    }
-}
-
-/// A line with coprime integer normal.
-#[derive(Debug, Clone)]
-pub(super) enum Line {
-    Small {
-        a: i64,
-        b: i64,
-        c: i128,
-    },
-    Big(Box<[IBig; 3]>),
-    /// No line: the plane of one height, `0 = c + s t`.
-    Level(IBig),
-    /// No line: the plane of a facet over a tilted eave. Its tables hold `[a, b, c, s]`.
-    Tilted(Box<Tilted>),
-}
-
-impl Line {
-    pub(super) fn integers(&self) -> [IBig; 3] {
-        match self {
-            Self::Small { a, b, c } => [IBig::from(*a), IBig::from(*b), IBig::from(*c)],
-            Self::Big(abc) => (**abc).clone(),
-            Self::Level(c) => [IBig::ZERO, IBig::ZERO, c.clone()],
-            Self::Tilted(_) => unreachable!("tilted planes have no line"),
-        }
-    }
-
-    /// The square of the length of the normal; one for a plane of one height.
-    fn square(&self) -> UBig {
-        match self {
-            Self::Level(_) => UBig::ONE,
-            _ => {
-                let [a, b, _] = self.integers();
-                (&a * &a + &b * &b).unsigned_abs()
-            }
-        }
     }
 }
 
@@ -304,8 +266,8 @@ impl Rung for Wide {
         wide_root::falling_root(g)
     }
     fn line(planes: &Planes, line: usize) -> [Self; 4] {
-        let [a, b, c] = planes.lines[line].integers();
-        let square = planes.lines[line].square();
+        let [a, b, c] = planes.integers(line);
+        let square = planes.square(line);
         [
             Self::from_int(&a),
             Self::from_int(&b),
@@ -333,8 +295,8 @@ impl Rung for Surd {
         None
     }
     fn line(planes: &Planes, line: usize) -> [Self; 4] {
-        let [a, b, c] = planes.lines[line].integers();
-        let square = planes.lines[line].square();
+        let [a, b, c] = planes.integers(line);
+        let square = planes.square(line);
         [
             Self::from_int(a),
             Self::from_int(b),
@@ -435,76 +397,16 @@ impl Planes {
                 planes.push_small(q[0] - p[0], q[1] - p[1], q);
             }
         } else {
-            let origin = origin.map(|x| in_units(x, unit));
-            let points: Vec<[IBig; 2]> = vertices
-                .iter()
-                .map(|v| {
-                    [
-                        in_units(v[0], unit) - &origin[0],
-                        in_units(v[1], unit) - &origin[1],
-                    ]
-                })
-                .collect();
             for edge in figure.edges() {
-                let [p, q] = [&points[edge.from.index()], &points[edge.to.index()]];
-                planes.push_big(&p[1] - &q[1], &q[0] - &p[0], p);
+                planes.push_between([edge.from, edge.to].map(|v| vertices[v.index()]));
             }
             for terminal in terminals {
-                let [p, q] = [&points[terminal.inner], &points[terminal.tip]];
-                planes.push_big(&q[0] - &p[0], &q[1] - &p[1], q);
+                let [p, q] = [terminal.inner, terminal.tip].map(|v| planes.point(vertices[v]));
+                planes.push_big(&q[0] - &p[0], &q[1] - &p[1], &q);
             }
         }
         planes.set_speeds(figure, terminals, speed_unit);
         planes
-    }
-
-    fn push_small(&mut self, a: i64, b: i64, point: [i64; 2]) {
-        let g = gcd(a.unsigned_abs(), b.unsigned_abs()) as i64;
-        let (a, b) = (a / g, b / g);
-        let c = i128::from(a) * i128::from(point[0]) + i128::from(b) * i128::from(point[1]);
-        let square = u128::from(a.unsigned_abs()).pow(2) + u128::from(b.unsigned_abs()).pow(2);
-        // The normal of an edge parallel to an axis has length one.
-        let root = if a == 0 || b == 0 {
-            Some(1)
-        } else {
-            small_root(square)
-        };
-        let length = match root {
-            Some(root) => near(root as i128, self.shift),
-            None => near(square as i128, 2 * self.shift).sqrt(),
-        };
-        let doubles = [
-            near(a.into(), self.shift),
-            near(b.into(), self.shift),
-            near(c, 2 * self.shift),
-            length,
-        ];
-        self.push_near(doubles);
-        self.lines.push(Line::Small { a, b, c });
-    }
-
-    pub(super) fn push_big(&mut self, a: IBig, b: IBig, point: &[IBig; 2]) {
-        let g = IBig::from((&a).gcd(&b));
-        let (a, b) = (a / &g, b / &g);
-        let c = &a * &point[0] + &b * &point[1];
-        let square = &a * &a + &b * &b;
-        let length = match perfect_root(&square.clone().unsigned_abs()) {
-            Some(root) => BallDd::integer(&IBig::from(root), self.shift),
-            None => near_big(&square, 2 * self.shift).sqrt(),
-        };
-        let doubles = [
-            near_big(&a, self.shift),
-            near_big(&b, self.shift),
-            near_big(&c, 2 * self.shift),
-            length,
-        ];
-        self.push_near(doubles);
-        self.lines.push(Line::Big(Box::new([a, b, c])));
-    }
-
-    pub(super) fn push_near(&mut self, doubles: [BallDd; 4]) {
-        self.roughs.push(rough::line(&doubles, self.shift == 0));
-        self.doubles.push(doubles);
     }
 
     /// The same plane.
@@ -519,8 +421,11 @@ impl Planes {
         if !self.are_equally_fast(i, j) {
             return false;
         }
-        let [a, b, c] = self.lines[(i.0 >> 1) as usize].integers();
-        let [d, e, f] = self.lines[(j.0 >> 1) as usize].integers();
+        if !self.turn(i, j).is_zero() {
+            return false;
+        }
+        let [a, b, c] = self.integers((i.0 >> 1) as usize);
+        let [d, e, f] = self.integers((j.0 >> 1) as usize);
         if i.0 & 1 == j.0 & 1 {
             a == d && b == e && c == f
         } else {

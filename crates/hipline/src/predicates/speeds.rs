@@ -5,8 +5,9 @@ use hipline_num::{BallDd, Number, common_unit, in_units};
 
 use super::{
     Terminal,
+    lines::Line,
     phases::{self, Phases},
-    planes::{Line, PlaneId, Planes, Rung, Speeds, exact_time},
+    planes::{PlaneId, Planes, Rung, Speeds, exact_time},
 };
 use crate::{
     input::Figure,
