@@ -39,7 +39,7 @@ use crate::{
 };
 use change::Changes;
 use schedule::Agenda;
-use triangulation::{Spokes, Triangulation, next, prev};
+use triangulation::{Spokes, Triangulation, next};
 
 /// The state of the propagation.
 struct Kinetic<'a> {
@@ -225,13 +225,7 @@ impl Kinetic<'_> {
     }
 
     fn take(&mut self, t: TriangleId) {
-        let Self {
-            queue,
-            planes,
-            agenda,
-            ..
-        } = self;
-        queue.set(t, None, &|a, b| agenda.compare(planes, a, b));
+        self.enqueue(t, None);
         self.batch.work.push(t);
         self.batch.dirty.push(t);
     }
@@ -273,11 +267,9 @@ impl Kinetic<'_> {
     fn thin_out(&mut self, x: TraceId) {
         let fan: Spokes = self.triangulation.fan(self.front.trace(x).out).collect();
         let mut i = 0;
-        while let Some(&[(t, corner), (other, k)]) = fan.get(i..i + 2) {
+        while let Some(&[(t, corner), after]) = fan.get(i..i + 2) {
             i += 1;
-            let tips = self.triangulation.get(t).tips;
-            let [a, b] = [tips[next(corner)], tips[prev(corner)]];
-            let c = self.triangulation.get(other).tips[prev(k)];
+            let [a, b, c] = self.triangulation.rim([(t, corner), after]);
             let is_finite = [a, b, c].iter().all(|tip| tip.trace().is_some());
             let is_positive = |tips| self.area_now(tips).is_positive();
             if is_finite && is_positive([a, b, c]) && is_positive([x.into(), a, c]) {

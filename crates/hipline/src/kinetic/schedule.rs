@@ -11,7 +11,7 @@ use super::{
     triangulation::{Across, next, prev},
 };
 use crate::predicates::{Bounds, Corner, Moment, PlaneId, Planes};
-use crate::topology::{TriangleId, WaveId};
+use crate::topology::{Sets, TriangleId, WaveId};
 use crate::wavefront::{Trace, Wavefront};
 use hipline_num::{BallDd, Number, Sign, Wide};
 
@@ -34,7 +34,7 @@ pub(super) fn meeting_moment(planes: &Planes, u: &Trace, v: &Trace) -> Option<[P
 #[derive(Clone, Copy, Debug)]
 struct Closer {
     fine: Fine,
-    /// Its place in the forest, if it has one.
+    /// Its number among the sets of equal ones, if it has one.
     class: u32,
 }
 
@@ -81,8 +81,8 @@ pub(super) struct Agenda {
     unused: Vec<u32>,
     /// What is known besides, of figures in which bounds do not always decide.
     closer: OnceCell<Vec<Cell<Closer>>>,
-    /// Moments with one root of this forest are known to be equal.
-    parents: RefCell<Vec<u32>>,
+    /// Moments of one of these sets are known to be equal.
+    equal: RefCell<Sets>,
     /// The moments in 400 digits, found when first asked for.
     wide: RefCell<BTreeMap<TriangleId, Option<Wide>>>,
 }
@@ -94,7 +94,7 @@ impl Agenda {
             roots: Vec::new(),
             unused: Vec::new(),
             closer: OnceCell::new(),
-            parents: RefCell::default(),
+            equal: RefCell::default(),
             wide: RefCell::default(),
         }
     }
@@ -174,38 +174,21 @@ impl Agenda {
         value
     }
 
-    fn root(&self, t: TriangleId) -> u32 {
-        let mut i = self.closer(t).class;
-        if i == NO_CLASS {
-            return NO_CLASS;
-        }
-        let mut parents = self.parents.borrow_mut();
-        while parents[i as usize] != i {
-            let up = parents[parents[i as usize] as usize];
-            parents[i as usize] = up;
-            i = up;
-        }
-        self.set_class(t, i);
-        i
-    }
-
-    fn set_class(&self, t: TriangleId, class: u32) {
-        self.change(t, |closer| closer.class = class);
+    /// The set of moments equal to this one, if any was found to be.
+    fn class(&self, t: TriangleId) -> Option<u32> {
+        let class = self.closer(t).class;
+        (class != NO_CLASS).then(|| self.equal.borrow_mut().root(class as usize) as u32)
     }
 
     fn unite(&self, a: TriangleId, b: TriangleId) {
-        let (i, j) = (self.root(a), self.root(b));
-        match (i, j) {
-            (NO_CLASS, NO_CLASS) => {
-                let mut parents = self.parents.borrow_mut();
-                let new = parents.len() as u32;
-                parents.push(new);
-                self.set_class(a, new);
-                self.set_class(b, new);
-            }
-            (NO_CLASS, j) => self.set_class(a, j),
-            (i, NO_CLASS) => self.set_class(b, i),
-            (i, j) => self.parents.borrow_mut()[i as usize] = j,
+        if let (Some(i), Some(j)) = (self.class(a), self.class(b)) {
+            self.equal.borrow_mut().join(i as usize, j as usize);
+            return;
+        }
+        let known = self.class(a).or_else(|| self.class(b));
+        let class = known.unwrap_or_else(|| self.equal.borrow_mut().push());
+        for t in [a, b] {
+            self.change(t, |closer| closer.class = class);
         }
     }
 
@@ -226,8 +209,8 @@ impl Agenda {
         if let Some(sign) = difference.sign() {
             return sign.ordering();
         }
-        let root = self.root(a);
-        if root != NO_CLASS && root == self.root(b) {
+        let class = self.class(a);
+        if class.is_some() && class == self.class(b) {
             return Ordering::Equal;
         }
         let difference = self.finer(planes, a).minus(&self.finer(planes, b));
@@ -263,19 +246,24 @@ impl Kinetic<'_> {
         } else {
             None
         };
+        // Before its moment changes, by which it may be in order.
+        self.enqueue(t, None);
+        self.agenda
+            .set(t, found.map_or(Moment::Start, |(moment, _)| moment));
+        if let Some((_, bounds)) = found {
+            self.enqueue(t, Some(bounds));
+        }
+    }
+
+    /// Queues a triangle by its moment on the agenda, or takes it from the queue.
+    pub(super) fn enqueue(&mut self, t: TriangleId, bounds: Option<Bounds>) {
         let Self {
             queue,
             planes,
             agenda,
             ..
         } = self;
-        queue.set(t, None, &|a, b| agenda.compare(planes, a, b));
-        if let Some((moment, bounds)) = found {
-            agenda.set(t, moment);
-            queue.set(t, Some(bounds), &|a, b| agenda.compare(planes, a, b));
-        } else {
-            agenda.set(t, Moment::Start);
-        }
+        queue.set(t, bounds, &|a, b| agenda.compare(planes, a, b));
     }
 
     /// The moment for which a triangle was taken from the queue in this batch: equal to `now`.

@@ -126,16 +126,13 @@ impl Kinetic<'_> {
         let first = |len: usize| if is_from_end { len - 2 } else { 0 };
         let (mut i, mut failed) = (first(fan.len().max(2)), 0);
         while fan.len() > 2 {
-            let (t, corner) = fan[i];
-            let (other, k) = fan[i + 1];
-            let tips = self.triangulation.get(t).tips;
-            let (a, b) = (tips[next(corner)], tips[prev(corner)]);
-            let c = self.triangulation.get(other).tips[prev(k)];
+            let [(t, corner), (other, _)] = [fan[i], fan[i + 1]];
+            let rim = self.triangulation.rim([fan[i], fan[i + 1]]);
             // Beside wavefront edges of length zero no triangle has an area yet; there, that decides which will
             // have one.
-            let is_ear = match self.orientation([a, b, c]) {
+            let is_ear = match self.orientation(rim) {
                 Sign::Positive => true,
-                Sign::Zero => failed > fan.len() && self.area_grows([a, b, c]),
+                Sign::Zero => failed > fan.len() && self.area_grows(rim),
                 Sign::Negative => false,
             };
             if !is_ear {

@@ -256,6 +256,17 @@ impl Triangulation {
         Some((after, next(self.side_to(after, t.into()))))
     }
 
+    /// What two triangles that follow each other around a vertex have there besides it, counterclockwise; each is given with the
+    /// vertex's corner. The second is the end of the spoke between the two.
+    pub(super) fn rim(&self, [(t, corner), (other, k)]: [(TriangleId, usize); 2]) -> [Tip; 3] {
+        let tips = self.get(t).tips;
+        [
+            tips[next(corner)],
+            tips[prev(corner)],
+            self.get(other).tips[prev(k)],
+        ]
+    }
+
     /// Replaces the diagonal on side k of `t`. Returns the two new triangles, which keep
     /// the ids: `t` has the corners `[k, k+1, apex]`, the other `[k, apex, k+2]`.
     pub(super) fn flip(&mut self, t: TriangleId, k: usize) -> TriangleId {

@@ -5,6 +5,7 @@
 //! the input's. While that fits into the 53 digits of an f64, all sums of f64s are exact, and nothing needs to be converted
 //! ([`Float`]); otherwise it is an `i64` for most figures, an `i128` for most others, and [`Wide`] for any.
 
+use hipline_num::{common_unit, power_of_two};
 use std::{
     cmp::Ordering,
     fmt::Debug,
@@ -308,32 +309,13 @@ impl Unit {
 
     /// The finest unit that a list of points needs.
     pub(super) fn of(points: &[[f64; 2]]) -> Self {
-        let (mut finest, mut largest) = (i32::MAX, i32::MIN);
-        for x in points.iter().flatten() {
-            let bits = x.to_bits() << 1;
-            if bits == 0 {
-                continue;
-            }
-            let exponent = (bits >> 53) as i32;
-            let fraction = bits << 11 >> 12;
-            let (mantissa, unit) = if exponent == 0 {
-                (fraction, -1074)
-            } else {
-                (fraction | 1 << 52, exponent - 1075)
-            };
-            finest = finest.min(unit + mantissa.trailing_zeros() as i32);
-            largest = largest.max(unit + 64 - mantissa.leading_zeros() as i32);
-        }
-        if finest > largest {
-            (finest, largest) = (0, 0);
-        }
-        let power = |exponent: i32| f64::from_bits(((exponent + 1023) as u64) << 52);
-        let halves = |exponent: i32| [power(exponent / 2), power(exponent - exponent / 2)];
+        let (finest, digits) = common_unit(points.iter().flatten().copied());
+        let halves = |exponent: i32| [exponent / 2, exponent - exponent / 2].map(power_of_two);
         Self {
             up: halves(1 - finest),
             down: halves(finest - 1),
-            digits: largest - finest,
-            is_moderate: finest > -1000 && largest < 1000,
+            digits,
+            is_moderate: finest > -1000 && finest + digits < 1000,
         }
     }
 

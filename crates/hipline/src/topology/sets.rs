@@ -16,10 +16,11 @@ impl Sets {
         Self(Vec::with_capacity(count))
     }
 
-    /// Adds the next number, by itself.
-    pub(crate) fn push(&mut self) {
+    /// Adds the next number, by itself, and returns it.
+    pub(crate) fn push(&mut self) -> u32 {
         let next = u32::try_from(self.0.len()).expect("more than 2^32 elements");
         self.0.push(next);
+        next
     }
 
     /// The smallest number of a set.

@@ -196,10 +196,9 @@ impl Assembly<'_> {
         found: &mut Vec<(TraceId, Hit, Walk)>,
     ) {
         let plane = self.front.wave(self.front.trace(ghosts[0]).inn).plane;
-        let place = |node: u32| self.finite_place(node);
         // From the far end of the edge's direction to the near one.
         ghosts.sort_by(|&x, &y| {
-            let [x, y] = [x, y].map(|g| place(self.front.trace(g).born));
+            let [x, y] = [x, y].map(|g| self.finite_place(self.front.trace(g).born));
             self.planes.compare_along(&y, &x, plane)
         });
         let cycles = self.joint_boundary(starts);
@@ -234,11 +233,11 @@ impl Assembly<'_> {
                     continue;
                 };
                 let (at, may_start) = match &hit {
-                    Hit::Node(node) => (place(*node), false),
+                    Hit::Node(node) => (self.finite_place(*node), false),
                     Hit::Inside(place) => (*place, true),
-                    Hit::Start | Hit::Infinity => (place(born), true),
+                    Hit::Start | Hit::Infinity => (self.finite_place(born), true),
                 };
-                let after_start = self.planes.compare_times(&at, &place(born));
+                let after_start = self.planes.compare_times(&at, &self.finite_place(born));
                 // A corner where the boundary turns back may be at one place with one on the other
                 // side of a wall: there, the ghost arc would only touch the face.
                 let touches = match &hit {
@@ -260,9 +259,15 @@ impl Assembly<'_> {
                 }
             }
             for &(node, walk) in &spikes {
-                let at = place(node);
-                let stops = self.planes.compare_along(&at, &place(born), plane).is_eq()
-                    && self.planes.compare_times(&at, &place(born)).is_gt()
+                let at = self.finite_place(node);
+                let stops = self
+                    .planes
+                    .compare_along(&at, &self.finite_place(born), plane)
+                    .is_eq()
+                    && self
+                        .planes
+                        .compare_times(&at, &self.finite_place(born))
+                        .is_gt()
                     && best.as_ref().is_none_or(|(other, ..)| {
                         self.planes.compare_times(&at, other) == Ordering::Less
                     });
@@ -346,11 +351,10 @@ impl Assembly<'_> {
 
     /// Whether a stretch goes strictly against the edge's direction.
     fn is_ceiling(&self, ceiling: &Ceiling, x: TraceId, up: bool, plane: PlaneId) -> bool {
-        let place = |node: u32| self.finite_place(node);
         match ceiling.ends {
             [Some(a), Some(b)] => self
                 .planes
-                .compare_along(&place(a), &place(b), plane)
+                .compare_along(&self.finite_place(a), &self.finite_place(b), plane)
                 .is_gt(),
             _ => {
                 let drift = self.planes.drift(self.front.trace(x).pair, plane);
@@ -385,9 +389,11 @@ impl Assembly<'_> {
 
     /// Where the perpendicular through a node meets a ceiling, if it does.
     fn meet_ceiling(&self, born: u32, ceiling: &Ceiling, plane: PlaneId) -> Option<Hit> {
-        let place = |node: u32| self.finite_place(node);
         let against = |node: Option<u32>| {
-            node.map(|node| self.planes.compare_along(&place(node), &place(born), plane))
+            node.map(|node| {
+                self.planes
+                    .compare_along(&self.finite_place(node), &self.finite_place(born), plane)
+            })
         };
         match against(ceiling.ends[1]) {
             Some(Ordering::Greater) => return None,
@@ -408,7 +414,7 @@ impl Assembly<'_> {
             let [Some(node), _] = ceiling.ends else {
                 unreachable!("level arcs are finite")
             };
-            match place(node) {
+            match self.finite_place(node) {
                 Place::Event { moment, .. } => Bound::Level(moment),
                 _ => return Some(Hit::Start),
             }
@@ -523,11 +529,11 @@ impl Assembly<'_> {
         };
         let plane = self.front.wave(trace.inn).plane;
         let order = self.planes.compare_along(p, q, plane);
-        let place = |node: u32| self.finite_place(node);
-        match self
-            .planes
-            .compare_along(&place(trace.born), &place(end), plane)
-        {
+        match self.planes.compare_along(
+            &self.finite_place(trace.born),
+            &self.finite_place(end),
+            plane,
+        ) {
             Ordering::Greater => order.reverse(),
             _ => order,
         }

@@ -24,13 +24,16 @@ impl Assembly<'_> {
         if !self.planes.has_upright() {
             return Vec::new();
         }
-        let place = |node: u32| self.finite_place(node);
         let goes_straight = |x: TraceId| {
             let trace = self.front.trace(x);
             match trace.end {
                 End::At(end) => self
                     .planes
-                    .compare_along(&place(trace.born), &place(end), plane)
+                    .compare_along(
+                        &self.finite_place(trace.born),
+                        &self.finite_place(end),
+                        plane,
+                    )
                     .is_eq(),
                 End::Moving => self.planes.drift(trace.pair, plane).is_zero(),
                 End::Ghost => false,
