@@ -26,9 +26,11 @@ mod worker;
 
 use std::process::ExitCode;
 
-/// Counts what is allocated; passes everything on to the system.
+use mimalloc::MiMalloc;
+
+/// Counts what is allocated; passes everything on to the allocator that the command line has, too.
 #[global_allocator]
-static MEMORY: cap::Cap<std::alloc::System> = cap::Cap::new(std::alloc::System, usize::MAX);
+static MEMORY: cap::Cap<MiMalloc> = cap::Cap::new(MiMalloc, usize::MAX);
 
 fn main() -> ExitCode {
     match run() {
