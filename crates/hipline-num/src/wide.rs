@@ -7,8 +7,8 @@
 //! `1 + 2^-50` (each step has at most four roundings of relative size 2^-53).
 
 use dashu_int::{
-    IBig, UBig,
-    ops::{BitTest, SquareRoot, UnsignedAbs},
+    IBig, UBig, Word,
+    ops::{SquareRoot, UnsignedAbs},
 };
 
 use crate::{BallDd, Number, Sign, ldexp};
@@ -27,16 +27,31 @@ pub struct Wide {
     error: f64,
 }
 
+/// Binary digits of the size of an integer.
 fn bits(m: &IBig) -> usize {
-    m.clone().unsigned_abs().bit_len()
+    let (_, words) = m.as_sign_words();
+    let top = words
+        .last()
+        .map_or(0, |word| Word::BITS - word.leading_zeros());
+    words.len().saturating_sub(1) * Word::BITS as usize + top as usize
 }
 
 /// The leading digits of a mantissa, and how many were left out.
 fn leading(m: &IBig) -> (f64, i32) {
-    let cut = bits(m).saturating_sub(52);
-    let top = u64::try_from(m.clone().unsigned_abs() >> cut).expect("at most 52 digits");
+    let (_, words) = m.as_sign_words();
+    // As many words as 52 digits need, and a bit of one more.
+    let (mut head, mut left) = (0_u128, words.len());
+    while left > 0 && head >> 52 == 0 {
+        left -= 1;
+        head = head << Word::BITS | u128::from(words[left]);
+    }
+    let drop = (u128::BITS - head.leading_zeros()).saturating_sub(52);
+    let cut = drop as usize + left * Word::BITS as usize;
     #[expect(clippy::cast_precision_loss, reason = "at most 52 digits are exact")]
-    (top as f64, i32::try_from(cut).expect("mantissas are short"))
+    (
+        (head >> drop) as f64,
+        i32::try_from(cut).expect("mantissas are short"),
+    )
 }
 
 /// An exponent of which `ldexp` makes nothing else than of the full one.
@@ -318,6 +333,25 @@ mod tests {
             }
         }
         assert!(abstained < 30, "{abstained} of 3000 undecided");
+    }
+
+    #[test]
+    fn leading_digits_are_those_of_the_integer() {
+        for shift in [0, 1, 10, 11, 12, 51, 52, 63, 64, 65, 75, 76, 127, 128, 300] {
+            for odd in [1, 3, (1_i64 << 52) - 1, (1 << 52) + 1, i64::MAX] {
+                let m = IBig::from(-odd) << shift;
+                let length = 64 - odd.leading_zeros() as usize + shift;
+                assert_eq!(bits(&m), length, "{odd} << {shift}");
+                let (top, cut) = leading(&m);
+                assert_eq!(cut, length as i32 - 52.min(length as i32));
+                assert_eq!(
+                    IBig::from(top as i64),
+                    -m >> cut as usize,
+                    "{odd} << {shift}"
+                );
+            }
+        }
+        assert_eq!((bits(&IBig::ZERO), leading(&IBig::ZERO)), (0, (0.0, 0)));
     }
 
     #[test]

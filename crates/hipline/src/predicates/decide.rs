@@ -1,7 +1,8 @@
 //! The ladder: a question is asked of one kind of numbers after the other, until one answers.
 
-use hipline_num::{Ball, BallDd, Fixed, Integer, Limbs, Rough, Rungs, Short, Sign, Surd, Wide};
+use hipline_num::{Ball, BallDd, Fixed, Limbs, Rough, Rungs, Short, Sign, Surd, Wide};
 
+use super::fixed::Kept;
 use super::planes::{Planes, Rung};
 
 impl Planes {
@@ -104,7 +105,7 @@ pub(crate) trait Question {
     }
 
     /// The answer in exact numbers of a fixed width.
-    fn ask_fixed<I: Integer>(&self, planes: &Planes) -> Option<Sign> {
+    fn ask_fixed<I: Kept>(&self, planes: &Planes) -> Option<Sign> {
         self.ask::<Fixed<I>>(planes)
     }
 

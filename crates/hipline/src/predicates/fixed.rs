@@ -5,7 +5,7 @@
 //! with coefficients. Figures of equal parts have few different lengths.
 
 use dashu_int::{IBig, UBig, ops::UnsignedAbs};
-use hipline_num::{BallDd, Fixed, Integer, Number, Radicals, Short, perfect_root};
+use hipline_num::{BallDd, Fixed, Integer, Limbs, Number, Radicals, Short, perfect_root};
 use std::cell::RefCell;
 use std::rc::Rc;
 
@@ -13,6 +13,7 @@ use super::{
     eaves::{Tilted, tabled},
     expression::{Quadratic, any_meeting},
     lines::Line,
+    memo::Memo,
     planes::{Plane, PlaneId, Planes, Rung, exact_time},
 };
 
@@ -82,12 +83,36 @@ impl Lengths {
 }
 
 /// `a x + b y = c + s √root t` in integers; the root of 0 is one.
-struct Bare<I> {
+#[derive(Clone, Debug)]
+pub(crate) struct Bare<I> {
     a: I,
     b: I,
     c: I,
     s: I,
     root: u32,
+}
+
+/// Integers that planes are kept in.
+pub(crate) trait Kept: Integer {
+    fn known(planes: &Planes) -> &Memo<Option<Bare<Self>>>;
+}
+
+impl Kept for i128 {
+    fn known(planes: &Planes) -> &Memo<Option<Bare<Self>>> {
+        &planes.known.small
+    }
+}
+
+impl Kept for Short {
+    fn known(planes: &Planes) -> &Memo<Option<Bare<Self>>> {
+        &planes.known.short
+    }
+}
+
+impl Kept for Limbs {
+    fn known(planes: &Planes) -> &Memo<Option<Bare<Self>>> {
+        &planes.known.long
+    }
 }
 
 impl<I: Integer> Bare<I> {
@@ -122,8 +147,9 @@ impl<I: Integer> Bare<I> {
 }
 
 /// `N` and `D` of three planes, in one go: neither products of roots nor sums of such are in them.
-fn met<I: Integer>(planes: &Planes, triple: [PlaneId; 3]) -> Option<(Fixed<I>, Fixed<I>)> {
-    let [i, j, k] = triple.map(|id| Bare::<I>::new(planes, id));
+fn met<I: Kept>(planes: &Planes, triple: [PlaneId; 3]) -> Option<(Fixed<I>, Fixed<I>)> {
+    let count = 2 * planes.lines.len();
+    let [i, j, k] = triple.map(|id| I::known(planes).get(id.0, count, || Bare::new(planes, id)));
     let (i, j, k) = (i?, j?, k?);
     let (jk, ki, ij) = (j.minor(&k)?, k.minor(&i)?, i.minor(&j)?);
     let n = (jk.times(&i.c)?)
@@ -151,7 +177,7 @@ impl Planes {
     }
 }
 
-impl<I: Integer> Rung for Fixed<I> {
+impl<I: Kept> Rung for Fixed<I> {
     fn meeting(planes: &Planes, triple: [PlaneId; 3]) -> (Self, Self) {
         met(planes, triple).unwrap_or_else(|| any_meeting(planes, triple))
     }

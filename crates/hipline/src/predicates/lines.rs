@@ -1,11 +1,14 @@
 //! The line of each plane: coprime integers, and approximations of them.
 
 use dashu_int::{IBig, UBig, ops::Gcd, ops::UnsignedAbs};
-use hipline_num::{BallDd, Number, in_units, ldexp, perfect_root};
+use hipline_num::{BallDd, Limbs, Number, Short, Wide, in_units, ldexp, perfect_root};
+use std::cell::OnceCell;
 
 use super::{
     eaves::Tilted,
+    fixed::Bare,
     grid::{gcd, near, near_big, small_root},
+    memo::Memo,
     planes::{Planes, Rung},
     rough,
 };
@@ -28,6 +31,18 @@ pub(super) enum Line {
     Tilted(Box<Tilted>),
 }
 
+/// What exact questions have found out about lines, for others that come.
+#[derive(Debug, Default)]
+pub(super) struct Known {
+    /// The integers of lines between points.
+    integers: OnceCell<Vec<OnceCell<Box<[IBig; 3]>>>>,
+    pub(super) small: Memo<Option<Bare<i128>>>,
+    pub(super) short: Memo<Option<Bare<Short>>>,
+    pub(super) long: Memo<Option<Bare<Limbs>>>,
+    /// `[a, b, c, length of the normal]`.
+    pub(super) wide: Memo<[Wide; 4]>,
+}
+
 /// Coordinates with up to this many binary digits have differences and products in double-double that
 /// neither overflow nor underflow.
 const MIDDLING: i32 = 300;
@@ -42,8 +57,13 @@ impl Planes {
             Line::Small { a, b, c } => [IBig::from(*a), IBig::from(*b), IBig::from(*c)],
             Line::Big(abc) => (**abc).clone(),
             Line::Between(ends) => {
-                let [p, q] = ends.map(|end| self.point(end));
-                reduced(&p[1] - &q[1], &q[0] - &p[0], &p)
+                let all = || vec![OnceCell::new(); self.lines.len()];
+                let known = &self.known.integers.get_or_init(all)[line];
+                let find = || {
+                    let [p, q] = ends.map(|end| self.point(end));
+                    Box::new(reduced(&p[1] - &q[1], &q[0] - &p[0], &p))
+                };
+                (**known.get_or_init(find)).clone()
             }
             Line::Level(c) => [IBig::ZERO, IBig::ZERO, c.clone()],
             Line::Tilted(_) => unreachable!("tilted planes have no line"),

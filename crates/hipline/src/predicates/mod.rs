@@ -14,6 +14,7 @@ mod fixed;
 mod grid;
 mod heading;
 mod lines;
+mod memo;
 mod moment;
 mod motions;
 mod orientation;

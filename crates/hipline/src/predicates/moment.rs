@@ -4,9 +4,10 @@
 //! vertices happen at the root of a quadratic. Every question about a moment is the sign
 //! of a polynomial in time, of degree two at most, at that moment.
 
-use hipline_num::{Ball, BallDd, Fixed, Integer, Number, Rough, Sign, Surd, Wide};
+use hipline_num::{Ball, BallDd, Fixed, Number, Rough, Sign, Surd, Wide};
 use std::cmp::Ordering;
 
+use super::fixed::Kept;
 use super::{
     decide::Question,
     expression::{
@@ -162,7 +163,7 @@ impl<C: Curve> Question for SignAt<'_, C> {
         matches!(self.0, Moment::Root(_))
     }
 
-    fn ask_fixed<I: Integer>(&self, planes: &Planes) -> Option<Sign> {
+    fn ask_fixed<I: Kept>(&self, planes: &Planes) -> Option<Sign> {
         let Moment::Root(corners) = self.0 else {
             return match self.1.shortly::<Fixed<I>>(planes, self.0) {
                 Some(value) => value.sign(),

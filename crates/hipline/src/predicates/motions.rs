@@ -14,6 +14,7 @@ use std::cell::Cell;
 
 use super::{
     fixed::Lengths,
+    lines::Known,
     phases::Phases,
     planes::{GRID, PlaneId, Planes, Speeds},
 };
@@ -144,6 +145,7 @@ impl Planes {
             rungs: Cell::default(),
             last_root: Cell::default(),
             last_meeting: Cell::default(),
+            known: Known::default(),
         };
         for ([a, b], point) in points {
             planes.push_big(a, b, &point);

@@ -1,11 +1,12 @@
 //! Places of nodes: their definitions, their order along an edge, their rounded coordinates.
 
 use hipline_num::{
-    BallDd, Fixed, Integer, Limbs, Number, Sign, Surd, compare_quotient_f64, in_units,
-    power_of_two, round_ball_dd_plus, round_fixed_plus, round_quotient_plus,
+    BallDd, Fixed, Limbs, Number, Sign, Surd, compare_quotient_f64, in_units, power_of_two,
+    round_ball_dd_plus, round_fixed_plus, round_quotient_plus,
 };
 use std::cmp::Ordering;
 
+use super::fixed::Kept;
 use super::{
     decide::Question,
     expression::{Path, meeting},
@@ -408,7 +409,7 @@ impl Planes {
     }
 
     /// What is missing of `x`, `y` and time of a place, from double-doubles of exact numbers.
-    fn round_fixed<I: Integer>(&self, place: &Place, found: [Option<f64>; 3]) -> [Option<f64>; 3] {
+    fn round_fixed<I: Kept>(&self, place: &Place, found: [Option<f64>; 3]) -> [Option<f64>; 3] {
         let Point {
             x,
             y,

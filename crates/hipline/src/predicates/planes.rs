@@ -13,7 +13,7 @@ use hipline_num::{
 use std::cell::Cell;
 
 use super::grid::small_in_units;
-use super::lines::Line;
+use super::lines::{Known, Line};
 use super::phases::{self, Phases};
 use super::speeds;
 use super::{
@@ -114,6 +114,8 @@ pub(crate) struct Planes {
     pub(super) last_root: Last<[Corner; 3], Ball>,
     /// The same of the meeting.
     pub(super) last_meeting: Last<[PlaneId; 3], (Rough, Rough)>,
+    /// What exact questions have found out about lines.
+    pub(super) known: Known,
 }
 
 /// A rung of the ladder: numbers that planes can be asked for in.
@@ -266,14 +268,18 @@ impl Rung for Wide {
         wide_root::falling_root(g)
     }
     fn line(planes: &Planes, line: usize) -> [Self; 4] {
-        let [a, b, c] = planes.integers(line);
-        let square = planes.square(line);
-        [
-            Self::from_int(&a),
-            Self::from_int(&b),
-            Self::from_int(&c),
-            Self::sqrt_of(&square),
-        ]
+        let find = || {
+            let [a, b, c] = planes.integers(line);
+            let square = planes.square(line);
+            [
+                Self::from_int(&a),
+                Self::from_int(&b),
+                Self::from_int(&c),
+                Self::sqrt_of(&square),
+            ]
+        };
+        let wide = &planes.known.wide;
+        wide.get(line as u32, planes.lines.len(), find)
     }
     fn integer(value: &IBig, _shift: i32) -> Self {
         Self::from_int(value)
@@ -375,6 +381,7 @@ impl Planes {
             rungs: Cell::default(),
             last_root: Cell::default(),
             last_meeting: Cell::default(),
+            known: Known::default(),
         };
         // With bits <= SMALL the differences have one more digit, c has 2 SMALL + 3.
         if bits <= SMALL {
