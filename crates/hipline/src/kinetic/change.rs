@@ -193,7 +193,8 @@ impl Kinetic<'_> {
             } else if is_there {
                 let new = self.restart(x);
                 self.opens(new, terminal, plane);
-            } else {
+            } else if self.is_at_low_end(terminal) != Some(true) {
+                // Facets come up to upper ends.
                 let arrived = arrived.get_or_insert_with(|| self.arrived());
                 let here = arrived.get(&self.terminals[terminal].edge);
                 let here = here.into_iter().flatten().copied();
@@ -222,20 +223,23 @@ impl Kinetic<'_> {
     /// Whether a terminal at the upper end of a tilted eave has no facet beside it when it would start: none has come up to it, so
     /// its wavefront edge would lie between two walls on one line for ever, and have no length.
     fn is_between_walls(&self, x: TraceId, terminal: usize) -> bool {
-        let edge = self.terminals[terminal].edge;
-        let sides = [0, 1].map(|side| PlaneId(2 * edge as u32 + side));
-        let eave = |side| self.planes.phases.eave_of(side);
-        let Some(eave) = sides.into_iter().find_map(eave) else {
-            return false;
-        };
-        // The wavefront edge on the left starts where the edge does.
-        let is_first = self.figure.edges()[edge].from.index() == self.terminals[terminal].tip;
-        let is_low = eave.rises == (is_first == (eave.wall == sides[0]));
         let Trace { inn, out, .. } = *self.front.trace(x);
-        !is_low
+        self.is_at_low_end(terminal) == Some(false)
             && [inn, out]
                 .into_iter()
                 .all(|wave| self.planes.stands_still(self.front.wave(wave).plane))
+    }
+
+    /// Whether a terminal is at the lower end of a tilted eave.
+    fn is_at_low_end(&self, terminal: usize) -> Option<bool> {
+        let edge = self.terminals[terminal].edge;
+        let sides = [0, 1].map(|side| PlaneId(2 * edge as u32 + side));
+        let eave = sides
+            .into_iter()
+            .find_map(|side| self.planes.phases.eave_of(side))?;
+        // The wavefront edge on the left starts where the edge does.
+        let is_first = self.figure.edges()[edge].from.index() == self.terminals[terminal].tip;
+        Some(eave.rises == (is_first == (eave.wall == sides[0])))
     }
 
     /// The terminal whose wavefront edge has a plane at first.

@@ -14,7 +14,7 @@ use super::{
 use crate::{
     predicates::{Eave, PlaneId},
     topology::{TraceId, WaveId},
-    wavefront::{End, FaceStart, Walk, Wave},
+    wavefront::{End, FaceStart, Trace, Walk, Wave},
 };
 
 use hipline_num::Sign;
@@ -66,7 +66,12 @@ impl Kinetic<'_> {
             if self.front.trace(here).end != End::Moving
                 && let Some(&new) = fresh.get(&terminal)
             {
-                successor.insert(*x, new);
+                let Trace { inn, out, .. } = *self.front.trace(new);
+                let [i, j] = [inn, out].map(|wave| self.front.wave(wave).plane);
+                // The sides of an edge lie back to back.
+                if self.planes.turn(i, j).is_zero() && !self.planes.same_direction(i, j) {
+                    successor.insert(*x, new);
+                }
             }
         }
     }
