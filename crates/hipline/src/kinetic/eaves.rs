@@ -52,10 +52,10 @@ impl Kinetic<'_> {
         starts(i, false) || starts(j, true)
     }
 
-    /// Where facets start, what lies on one line settles before: so the facets start between wavefront
-    /// edges that stay.
+    /// Where there are tilted eaves, what lies on one line settles before terminals and facets start: so they start
+    /// between wavefront edges that stay.
     pub(super) fn settle_before_facets(&mut self, successor: &mut BTreeMap<TraceId, TraceId>) {
-        if self.changes.births.is_empty() {
+        if self.planes.phases.eaves().is_empty() {
             return;
         }
         self.remove_straight_vertices();

@@ -305,9 +305,8 @@ impl Checker<'_> {
             })
             .collect();
         list.sort_unstable();
-        // Where edges stand still, upright faces may lie back to back; where speeds change, a neighbour may overrun an
-        // edge at once, along its crease.
-        let may_repeat = self.planes.has_upright() || !self.planes.phases.is_empty();
+        // Where edges stand still, upright faces may lie back to back.
+        let may_repeat = self.planes.has_upright();
         for pair in list.windows(2) {
             if pair[0].0 == pair[1].0 && !may_repeat {
                 let [first, second] = [0, 1].map(|k| ArcId::raw(pair[k].1));
