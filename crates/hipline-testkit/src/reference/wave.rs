@@ -124,7 +124,7 @@ impl<'a> Wave<'a> {
             // Terminals are put in where their edge ends in nothing.
             alive: take(f) && plane.ends[0] != plane.ends[1],
         });
-        let mut links = links.collect();
+        let mut links: Vec<Link> = links.collect();
         let places = &mut Places { points, nodes };
         wave.settle_before_facets(&mut links, places);
         wave.start_facets(&mut links, places);
@@ -188,11 +188,11 @@ impl<'a> Wave<'a> {
 
     /// Joins what is one, lets the faster of parallel neighbours win, but for those between which a facet starts:
     /// so facets start between edges that stay.
-    pub(super) fn settle_before_facets(&mut self, links: &mut Vec<Link>, places: &mut Places) {
+    pub(super) fn settle_before_facets(&mut self, links: &mut [Link], places: &mut Places) {
         self.settle_lines(links, places, true);
     }
 
-    fn settle_lines(&mut self, links: &mut Vec<Link>, places: &mut Places, facets_start: bool) {
+    fn settle_lines(&mut self, links: &mut [Link], places: &mut Places, facets_start: bool) {
         join_equals(links);
         loop {
             let waits = |l: usize| facets_start && self.awaits_facet(links, places, l);
