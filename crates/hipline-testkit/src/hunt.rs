@@ -11,7 +11,7 @@ use crate::reduce::reduce;
 use crate::reference::{Graph, Reference, reference};
 
 /// How the library fails on a case, in words; `None` if it agrees with the reference and passes
-/// verification, or if the case is not a figure. Where heights are not reached, both must say so; the rest may differ.
+/// verification, or if the case is not a figure. That holds where heights are not reached, too, and both must say so.
 ///
 /// A panic counts as a failure; the panic hook still sees it.
 #[must_use]
@@ -64,7 +64,7 @@ fn failure_of(
         ));
     }
     let difference = compare(figure, &skeleton, expected);
-    if reached && let Err(difference) = difference {
+    if let Err(difference) = difference {
         return Some(difference.to_string());
     }
     if overruns_at_zero(&skeleton) {

@@ -1,9 +1,8 @@
 //! Heights of vertices: the library against the reference engine, arc for arc and bit for bit.
 //!
 //! Small cases on integer grids, of every kind of figure, with heights: tilted eaves, level edges that
-//! start late, with speeds and changes of them. A case counts if the reference finds that every
-//! edge is reached at its heights; then `check_heights` must say so, too, all arcs must be equal, and `verify` must pass.
-//! Where heights are not reached, `check_heights` must say that.
+//! start late, with speeds and changes of them. All arcs must be equal and `verify` must pass, whether heights are reached or
+//! not; `check_heights` must say which.
 //!
 //! In release builds 4000 seeds, in debug builds 100. `HIPLINE_CASES` sets another count, `HIPLINE_FIRST` the
 //! first seed; `cargo run --release -p hipline-testkit --example hunt -- tilted FIRST COUNT` reduces what it finds.
@@ -23,16 +22,16 @@ fn number(name: &str, default: u64) -> u64 {
 /// Cases, those that are figures, those with heights that are reached, and of these, those with tilted eaves.
 static SEEN: [AtomicUsize; 4] = [const { AtomicUsize::new(0) }; 4];
 
-/// Counts a case. Returns whether its heights are reached, by the reference.
-fn count(case: &Case) -> bool {
+/// Counts a case that is right.
+fn count(case: &Case) {
     SEEN[0].fetch_add(1, Ordering::Relaxed);
     let Ok(figure) = case.figure() else {
-        return false;
+        return;
     };
     SEEN[1].fetch_add(1, Ordering::Relaxed);
     let graph = Graph::from(&figure);
     if !reference(&graph, case.region).reaches_heights(&graph) {
-        return false;
+        return;
     }
     if graph.has_heights() {
         SEEN[2].fetch_add(1, Ordering::Relaxed);
@@ -42,7 +41,6 @@ fn count(case: &Case) -> bool {
         });
         SEEN[3].fetch_add(usize::from(is_tilted), Ordering::Relaxed);
     }
-    true
 }
 
 #[test]
@@ -51,11 +49,11 @@ fn agrees_with_the_reference() {
     let (first, cases) = (number("HIPLINE_FIRST", 0), number("HIPLINE_CASES", default));
     println!("seeds {first} to {}", first + cases);
     check_all((first..first + cases).map(small_tilted), |case| {
-        let reached = count(case);
-        let how = failure(case).into_iter();
-        // Where edges are passed below their heights, only that both say so counts here.
-        how.filter(|how| reached || how.contains("heights: "))
-            .collect()
+        let how = failure(case);
+        if how.is_none() {
+            count(case);
+        }
+        how.into_iter().collect()
     });
     let seen = SEEN.each_ref().map(|count| count.load(Ordering::Relaxed));
     println!("cases, figures, with heights that are reached, with tilted eaves: {seen:?}");

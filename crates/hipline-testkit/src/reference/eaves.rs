@@ -162,7 +162,13 @@ impl Wave<'_> {
             };
             let plane = model.plane_at(course, &self.time);
             let edge = model.planes[course].edge;
-            let is_of_edge = |face: usize| self.plane(face).edge == edge;
+            // On both sides of the edge; beside its own wall, a facet only passes by.
+            let are_sides = |faces: [usize; 2]| {
+                let [i, j] = faces.map(|face| self.plane(face));
+                let is_side = |side| matches!(side, Side::Left | Side::Right);
+                let both = is_side(i.side) && is_side(j.side) && i.side != j.side;
+                both && i.edge == edge && j.edge == edge
+            };
             let is_tilted = |plane: &Plane| plane.edge == edge && plane.eave.is_some();
             if !is_now(plane) || !model.planes.iter().any(is_tilted) {
                 continue;
@@ -170,10 +176,7 @@ impl Wave<'_> {
             let before = at(places, vertex).and_then(|place| {
                 (0..links.len()).find(|&l| {
                     let (link, next) = (&links[l], links[l].next);
-                    link.alive
-                        && link.to == place
-                        && is_of_edge(link.face)
-                        && is_of_edge(links[next].face)
+                    link.alive && link.to == place && are_sides([link.face, links[next].face])
                 })
             });
             if let Some(before) = before {
@@ -209,6 +212,23 @@ impl Wave<'_> {
         }
     }
 
+    /// Whether a facet starts now between a link and the one after it, which lie on one line: over the one or the other.
+    pub(super) fn awaits_facet(&self, links: &[Link], places: &Places, link: usize) -> bool {
+        let model = self.model;
+        let place = &places.points[links[link].to];
+        let starts = |face: usize, rises: bool| {
+            let wall = self.plane(face);
+            wall.eave.as_ref().is_some_and(|eave| {
+                let low = Point::integer(&model.points[wall.ends[usize::from(!rises)]]);
+                let start = &model.planes[eave.facet].start;
+                eave.rises == rises
+                    && start.compare(&self.time, &model.field) == Ordering::Equal
+                    && low.compare(place, &model.field) == Ordering::Equal
+            })
+        };
+        starts(links[link].face, false) || starts(links[links[link].next].face, true)
+    }
+
     /// Of wavefront edges of length zero between two others, only those stay that grow.
     fn drop_covered(&self, [before, after]: [usize; 2], planes: &mut Vec<usize>) {
         loop {
@@ -221,6 +241,27 @@ impl Wave<'_> {
             let Some(covered) = covered else { return };
             planes.remove(covered);
         }
+    }
+
+    /// Removes a facet of length zero that no longer grows, because an edge beside it was overrun; was there one?
+    pub(super) fn drop_overtaken(&self, links: &mut [Link]) -> bool {
+        for before in 0..links.len() {
+            let own = links[before].next;
+            let is_facet = || {
+                let plane = self.plane(links[own].face);
+                plane.phase > 0 && self.model.planes[plane.course].eave.is_some()
+            };
+            if !links[before].alive || links[own].from != links[own].to || !is_facet() {
+                continue;
+            }
+            let three = [before, own, links[own].next].map(|link| self.faces[links[link].face]);
+            if !self.grows(three) {
+                links[own].alive = false;
+                links[before].next = links[own].next;
+                return true;
+            }
+        }
+        false
     }
 
     /// Does a wavefront edge of length zero grow between its neighbours? On one line with one of them, it is overrun

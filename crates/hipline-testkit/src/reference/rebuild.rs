@@ -31,7 +31,7 @@ struct Part {
 
 impl Wave<'_> {
     /// Moves on to `time`: events first, with the speeds so far, then changes of speed, then
-    /// and tilted eaves, then neighbours on one line.
+    /// neighbours on one line; where facets over tilted eaves start, these after that, and once more what lies on one line.
     pub(super) fn advance(&mut self, time: Ratio) {
         self.time = time;
         let (mut places, at) = self.places();
@@ -54,6 +54,7 @@ impl Wave<'_> {
         }
         self.go_on(&mut links, &mut places, &at, &ranges);
         self.change(&mut links, &mut places);
+        self.settle_before_facets(&mut links, &mut places);
         self.start_facets(&mut links, &mut places);
         self.settle(links, &mut places);
     }

@@ -124,8 +124,9 @@ impl<'a> Wave<'a> {
             // Terminals are put in where their edge ends in nothing.
             alive: take(f) && plane.ends[0] != plane.ends[1],
         });
-        let mut links = links.collect();
+        let mut links: Vec<Link> = links.collect();
         let places = &mut Places { points, nodes };
+        wave.settle_before_facets(&mut links, places);
         wave.start_facets(&mut links, places);
         wave.settle(links, places);
         wave
@@ -185,13 +186,28 @@ impl<'a> Wave<'a> {
         self.arcs.push(RawArc { nodes, faces, kind });
     }
 
+    /// Joins what is one, lets the faster of parallel neighbours win, but for those between which a facet starts:
+    /// so facets start between edges that stay.
+    pub(super) fn settle_before_facets(&mut self, links: &mut [Link], places: &mut Places) {
+        self.settle_lines(links, places, true);
+    }
+
+    fn settle_lines(&mut self, links: &mut [Link], places: &mut Places, facets_start: bool) {
+        join_equals(links);
+        loop {
+            let waits = |l: usize| facets_start && self.awaits_facet(links, places, l);
+            let Some((link, fast)) = self.next_overrun(links, places, waits) else {
+                return;
+            };
+            self.overrun(links, places, link, fast);
+            while self.drop_overtaken(links) {}
+            join_equals(links);
+        }
+    }
+
     /// Joins what is one, lets the faster of parallel neighbours win, makes the new corners.
     pub(super) fn settle(&mut self, mut links: Vec<Link>, places: &mut Places) {
-        join_equals(&mut links);
-        while let Some((link, fast)) = self.next_overrun(&links) {
-            self.overrun(&mut links, places, link, fast);
-            join_equals(&mut links);
-        }
+        self.settle_lines(&mut links, places, false);
         self.emit_terminals(&mut links, places);
         let alive: Vec<usize> = (0..links.len()).filter(|&l| links[l].alive).collect();
         let mut rank = vec![usize::MAX; links.len()];
@@ -237,7 +253,7 @@ impl<'a> Wave<'a> {
                 continue;
             };
             let plane = self.model.plane_at(course, &self.time);
-            if sides.iter().all(|side| side.stands()) && self.model.planes[plane].stands() {
+            if sides.iter().all(|side| side.stands()) {
                 continue;
             }
             if let Some(corner) = links[l].corner.take() {
@@ -305,9 +321,19 @@ impl<'a> Wave<'a> {
             origin,
             faces,
             turn,
-            as_one: turn == Ordering::Equal && !are_walls([i, j]),
+            as_one: turn == Ordering::Equal && !self.stand_apart([i, j], point),
             terminal,
         })
+    }
+
+    /// Do two neighbours on one line both stand still, and does the wall below a tilted eave end between them, where the
+    /// eave does? Then they stay side by side.
+    fn stand_apart(&self, [i, j]: [&Plane; 2], point: &Point) -> bool {
+        let ends_here = |wall: &Plane, end: usize| {
+            let end = Point::integer(&self.model.points[wall.ends[end]]);
+            wall.eave.is_some() && end.compare(point, &self.model.field) == Ordering::Equal
+        };
+        i.stands() && j.stands() && (ends_here(i, 1) || ends_here(j, 0))
     }
 
     /// Of all pairs of parallel neighbours of different speed, the one with the fastest edge:
@@ -316,12 +342,20 @@ impl<'a> Wave<'a> {
     /// two equally fast ones thus falls to the one before it.
     ///
     /// Of edges that are equally fast now, the faster one is the one that will be, as soon as they differ.
-    fn next_overrun(&self, links: &[Link]) -> Option<(usize, usize)> {
+    fn next_overrun(
+        &self,
+        links: &[Link],
+        places: &Places,
+        waits: impl Fn(usize) -> bool,
+    ) -> Option<(usize, usize)> {
         let mut best: Option<(usize, usize)> = None;
         for (l, link) in links.iter().enumerate().filter(|(_, link)| link.alive) {
             let [i, j] = [link.face, links[link.next].face];
             let planes = [i, j].map(|face| self.plane(face));
-            if !same_direction(&self.model.field, planes[0], planes[1]) || are_walls(planes) {
+            if !same_direction(&self.model.field, planes[0], planes[1])
+                || self.stand_apart(planes, &places.points[link.to])
+                || waits(l)
+            {
                 continue;
             }
             let fast = match self.model.faster(self.faces[i], self.faces[j]) {
@@ -388,12 +422,6 @@ pub(super) fn same_direction(field: &Field, i: &Plane, j: &Plane) -> bool {
 fn turns_back(field: &Field, i: &Plane, j: &Plane) -> bool {
     cross(field, &i.direction, &j.direction).is_zero()
         && field.sign(&dot(field, &i.direction, &j.direction)) == Ordering::Less
-}
-
-/// Do both stand still, and is one of them the wall below a tilted eave? On one line, they stay side by
-/// side.
-fn are_walls(planes: [&Plane; 2]) -> bool {
-    planes.iter().all(|plane| plane.stands()) && planes.iter().any(|plane| plane.eave.is_some())
 }
 
 /// Neighbours that belong to one face are one edge.

@@ -16,7 +16,7 @@ use std::{
 
 use super::Kinetic;
 use crate::{
-    predicates::{Bounds, Moment, PlaneId},
+    predicates::{Bounds, Eave, Moment, PlaneId},
     topology::{TraceId, TriangleId, WaveId},
     wavefront::{End, FaceStart, Trace, Walk, Wave},
 };
@@ -35,6 +35,10 @@ pub(super) struct Changes {
     pub(super) closed: BTreeMap<usize, TraceId>,
     /// Terminals that start at this moment, with their planes.
     opening: Vec<(TraceId, usize, PlaneId)>,
+    /// The eaves whose facets start next at this moment, by their walls.
+    pub(super) births: BTreeMap<PlaneId, Eave>,
+    /// Vertices at which one of them comes between its wall and a wavefront edge on the wall's line, if it starts.
+    pub(super) below: Vec<TraceId>,
 }
 
 impl Kinetic<'_> {
@@ -99,9 +103,11 @@ impl Kinetic<'_> {
             .map(|(wave, plane)| (wave, self.renew(wave, plane, &nodes)))
             .collect();
         let mut successor = BTreeMap::new();
+        self.await_facets(level);
         for (x, node) in nodes {
             successor.insert(x, self.carry_on(x, node, &renewed));
         }
+        self.settle_before_facets(&mut successor);
         self.open_terminals(level, &successor);
         self.start_facets(Some(level));
         self.find_next_change();
@@ -187,7 +193,8 @@ impl Kinetic<'_> {
             } else if is_there {
                 let new = self.restart(x);
                 self.opens(new, terminal, plane);
-            } else {
+            } else if self.is_at_low_end(terminal) != Some(true) {
+                // Facets come up to upper ends.
                 let arrived = arrived.get_or_insert_with(|| self.arrived());
                 let here = arrived.get(&self.terminals[terminal].edge);
                 let here = here.into_iter().flatten().copied();
@@ -216,20 +223,23 @@ impl Kinetic<'_> {
     /// Whether a terminal at the upper end of a tilted eave has no facet beside it when it would start: none has come up to it, so
     /// its wavefront edge would lie between two walls on one line for ever, and have no length.
     fn is_between_walls(&self, x: TraceId, terminal: usize) -> bool {
-        let edge = self.terminals[terminal].edge;
-        let sides = [0, 1].map(|side| PlaneId(2 * edge as u32 + side));
-        let eave = |side| self.planes.phases.eave_of(side);
-        let Some(eave) = sides.into_iter().find_map(eave) else {
-            return false;
-        };
-        // The wavefront edge on the left starts where the edge does.
-        let is_first = self.figure.edges()[edge].from.index() == self.terminals[terminal].tip;
-        let is_low = eave.rises == (is_first == (eave.wall == sides[0]));
         let Trace { inn, out, .. } = *self.front.trace(x);
-        !is_low
+        self.is_at_low_end(terminal) == Some(false)
             && [inn, out]
                 .into_iter()
                 .all(|wave| self.planes.stands_still(self.front.wave(wave).plane))
+    }
+
+    /// Whether a terminal is at the lower end of a tilted eave.
+    fn is_at_low_end(&self, terminal: usize) -> Option<bool> {
+        let edge = self.terminals[terminal].edge;
+        let sides = [0, 1].map(|side| PlaneId(2 * edge as u32 + side));
+        let eave = sides
+            .into_iter()
+            .find_map(|side| self.planes.phases.eave_of(side))?;
+        // The wavefront edge on the left starts where the edge does.
+        let is_first = self.figure.edges()[edge].from.index() == self.terminals[terminal].tip;
+        Some(eave.rises == (is_first == (eave.wall == sides[0])))
     }
 
     /// The terminal whose wavefront edge has a plane at first.
@@ -239,7 +249,7 @@ impl Kinetic<'_> {
     }
 
     /// The new vertices that stand on the planes of terminals.
-    fn fresh_at_terminals(&self) -> BTreeMap<usize, TraceId> {
+    pub(super) fn fresh_at_terminals(&self) -> BTreeMap<usize, TraceId> {
         let mut found = BTreeMap::new();
         for &x in &self.batch.fresh {
             let trace = self.front.trace(x);
@@ -327,32 +337,34 @@ impl Kinetic<'_> {
         new
     }
 
-    /// The new vertices between wavefront edges that went on as one with the facets on both sides of a terminal's
-    /// edge.
+    /// The new vertices between the two sides of a terminal's edge, a facet, or a wavefront edge that went on as one with it,
+    /// on one or both of them.
     fn arrived_as_one(&self, terminal: usize) -> impl Iterator<Item = TraceId> + '_ {
         let edge = self.terminals[terminal].edge as u32;
-        let facet = |plane| self.planes.phases.plane(PlaneId(plane), 1);
-        let facets = [facet(2 * edge), facet(2 * edge + 1)];
-        let is_one = move |plane, k: usize| {
+        let walls = [PlaneId(2 * edge), PlaneId(2 * edge + 1)];
+        let facets = walls.map(|wall| self.planes.phases.plane(wall, 1));
+        let is_facet = move |plane, k: usize| {
             facets[k].is_some_and(|facet| self.planes.coplanar(plane, facet))
         };
+        let come =
+            move |i, j, k: usize| is_facet(i, k) && (j == walls[1 - k] || is_facet(j, 1 - k));
         self.batch.fresh.iter().copied().filter(move |&x| {
             let trace = self.front.trace(x);
             let [i, j] = [trace.inn, trace.out].map(|wave| self.front.wave(wave).plane);
-            trace.end == End::Moving
-                && (is_one(i, 0) && is_one(j, 1) || is_one(i, 1) && is_one(j, 0))
+            trace.end == End::Moving && (0..2).any(|k| come(i, j, k) || come(j, i, k))
         })
     }
 
-    /// By edge, the new vertices between the facets on both sides of it: they may have come up to a terminal
-    /// just now.
+    /// By edge, the new vertices between its two sides, one of which is a facet: it may have come up to a terminal just now. (The
+    /// other side may be a wall that others cover.)
     fn arrived(&self) -> BTreeMap<usize, Vec<TraceId>> {
         let mut found: BTreeMap<usize, Vec<TraceId>> = BTreeMap::new();
         for &x in &self.batch.fresh {
             let trace = self.front.trace(x);
             let phases = &self.planes.phases;
             let [i, j] = [trace.inn, trace.out].map(|w| phases.origin(self.front.wave(w).plane));
-            if trace.end == End::Moving && i.0.0 / 2 == j.0.0 / 2 && [i.1, j.1] == [1, 1] {
+            let sides = i.0.0 ^ j.0.0 == 1;
+            if trace.end == End::Moving && sides && (i.1 == 1 || j.1 == 1) {
                 found.entry(i.0.0 as usize / 2).or_default().push(x);
             }
         }

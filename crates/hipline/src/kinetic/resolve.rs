@@ -271,12 +271,17 @@ impl Kinetic<'_> {
     /// A new vertex at a node, between two wavefront edges; at the place of `here`.
     pub(super) fn spawn(&mut self, inn: WaveId, out: WaveId, born: u32, here: TraceId) -> TraceId {
         let (i, j) = (self.front.wave(inn).plane, self.front.wave(out).plane);
-        let turn = self.planes.turn(i, j);
-        let pair = match turn {
+        let mut turn = self.planes.turn(i, j);
+        let mut pair = match turn {
             Sign::Positive => [i, j],
             Sign::Negative => [j, i],
             Sign::Zero => self.front.trace(here).pair,
         };
+        if turn.is_zero()
+            && let Some(post) = self.post_between(inn, out, Some(pair))
+        {
+            (turn, pair) = (Sign::Negative, post);
+        }
         let x = self.front.push_trace(Trace {
             pair,
             inn,
@@ -288,7 +293,11 @@ impl Kinetic<'_> {
             after_down: Walk::Open,
         });
         if turn.is_zero() && self.planes.same_direction(i, j) {
-            self.batch.straight.push(x);
+            if self.awaits_facet(x) {
+                self.changes.below.push(x);
+            } else {
+                self.batch.straight.push(x);
+            }
         }
         self.batch.fresh.push(x);
         x
@@ -316,7 +325,7 @@ impl Kinetic<'_> {
     }
 
     /// Side k of `t` has length zero.
-    fn contract(&mut self, t: TriangleId, k: usize) {
+    pub(super) fn contract(&mut self, t: TriangleId, k: usize) {
         let triangle = *self.triangulation.get(t);
         let [u, v] = [triangle.tips[next(k)], triangle.tips[prev(k)]]
             .map(|tip| tip.trace().expect("a finite corner"));

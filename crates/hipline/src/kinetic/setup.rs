@@ -241,7 +241,6 @@ impl<'a> Kinetic<'a> {
 
     /// What happens at time zero.
     pub(super) fn start(&mut self) {
-        let mut below = Vec::new();
         for i in 0..self.front.traces.len() {
             let x = TraceId::new(i);
             let Trace { inn, out, .. } = *self.front.trace(x);
@@ -255,17 +254,14 @@ impl<'a> Kinetic<'a> {
             match turn {
                 Sign::Positive => {}
                 Sign::Negative => trace.pair = [j, i],
-                Sign::Zero => match self.post_between(inn, out) {
+                Sign::Zero => match self.post_between(inn, out, None) {
                     Some(pair) => {
                         let trace = self.front.trace_mut(x);
                         trace.pair = pair;
                         trace.turn = Sign::Negative;
                     }
                     None => match self.post_below(inn, out) {
-                        Some(pair) => {
-                            self.front.trace_mut(x).pair = pair;
-                            below.push(x);
-                        }
+                        Some(pair) => self.front.trace_mut(x).pair = pair,
                         None => self.batch.straight.push(x),
                     },
                 },
@@ -283,10 +279,7 @@ impl<'a> Kinetic<'a> {
         self.open_moved_terminals();
         self.refresh_pairs();
         self.start_facets(None);
-        let front = &self.front;
-        below.retain(|&x| front.trace(x).end == End::Moving);
-        self.batch.straight.extend(below);
-        self.remove_straight_vertices();
+        self.refresh_pairs();
         self.batch.dirty.clear();
         self.batch.fresh.clear();
         self.find_next_change();

@@ -327,8 +327,9 @@ impl Phases {
     /// their speeds differ?
     pub(super) fn compare_futures(&self, i: PlaneId, j: PlaneId) -> Ordering {
         let future = |plane| {
-            self.find(plane)
-                .map_or(&[][..], |(course, phase)| &course.speeds[phase + 1..])
+            // A wall below a tilted eave never moves: a facet grows beside it.
+            let course = self.find(plane).filter(|(course, _)| !course.tilted);
+            course.map_or(&[][..], |(course, phase)| &course.speeds[phase + 1..])
         };
         let (mut p, mut q) = (future(i), future(j));
         loop {

@@ -83,7 +83,7 @@ pub(crate) struct EventNode {
 /// How a face of a later phase starts.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct FaceStart {
-    /// The first walk of its boundary.
+    /// The first walk of its boundary; `Open` if the face is gone again.
     pub walk: Walk,
     /// Its plane.
     pub plane: PlaneId,
@@ -162,7 +162,7 @@ impl Wavefront {
     /// The walk along which a face starts, if it is there.
     pub(crate) fn first_walk(&self, face: u32) -> Option<Walk> {
         match face.checked_sub(self.bases) {
-            Some(i) => Some(self.starts[i as usize].walk),
+            Some(i) => Some(self.starts[i as usize].walk).filter(|&walk| walk != Walk::Open),
             None if self.after_base[face as usize] == Walk::Open => None,
             None => Some(Walk::Base(face)),
         }

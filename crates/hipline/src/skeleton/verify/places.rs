@@ -121,22 +121,27 @@ impl Checker<'_> {
         })
     }
 
-    /// The posts across tilted eaves at the vertex below this node, if walls go up from there.
+    /// The posts across tilted eaves at the vertex below this node, if walls meet on the way up from there.
     fn posts(&self, node: NodeId) -> impl Iterator<Item = PlaneId> + '_ {
-        let at = |&a: &u32| {
-            let arc = self.skeleton.arc(ArcId::raw(a));
-            let NodeKind::Input(vertex) = self.skeleton.node(arc.nodes[0]).kind else {
-                return [None; 2];
-            };
-            let edges = &self.skeleton.input.edges;
-            let walls = arc.faces.map(|face| self.plane_of(face));
-            // An eave may start at a vertex too; its other end is elsewhere.
-            if !walls.iter().all(|&wall| self.planes.stands_still(wall)) {
-                return [None; 2];
-            }
-            walls.map(|wall| self.planes.post_at(edges, wall, vertex))
+        let at = self.skeleton.node(node);
+        let here = [at.x, at.y].map(f64::to_bits);
+        let edges = &self.skeleton.input.edges;
+        let vertices = self.figure.vertices();
+        // An eave may start at a vertex too; its other end is elsewhere.
+        let post = move |wall: PlaneId| {
+            let mut ends = edges.get((wall.0 / 2) as usize)?.iter();
+            let vertex = ends.find(|v| vertices[v.index()].map(f64::to_bits) == here)?;
+            self.planes.post_at(edges, wall, *vertex)
         };
-        self.incidence.arcs(node).iter().flat_map(at).flatten()
+        self.incidence.arcs(node).iter().flat_map(move |&a| {
+            let walls = self.skeleton.arc(ArcId::raw(a)).faces;
+            let walls = walls.map(|face| self.plane_of(face));
+            let stand = walls.iter().all(|&wall| self.planes.stands_still(wall));
+            walls
+                .map(|wall| post(wall).filter(|_| stand))
+                .into_iter()
+                .flatten()
+        })
     }
 
     /// The arc of one height between parallel planes. When they meet is no matter of the
