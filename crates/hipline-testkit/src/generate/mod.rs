@@ -24,8 +24,11 @@ pub use tight::tight;
 pub use tilted::{Heights, raise, small_tilted};
 pub use weighted::{Weights, change_speeds, small_weighted};
 
+/// What makes a case of a seed.
+pub type Generate = fn(u64) -> Case;
+
 /// The kinds of random small cases by name.
-pub const SMALL: [(&str, fn(u64) -> Case); 4] = [
+pub const SMALL: [(&str, Generate); 4] = [
     ("plain", small),
     ("fine", small_fine),
     ("weighted", small_weighted),
@@ -33,7 +36,7 @@ pub const SMALL: [(&str, fn(u64) -> Case); 4] = [
 ];
 
 /// Takes the name of a kind from the front of a list of arguments; without one, it is `plain`.
-pub fn named(arguments: &mut Vec<String>) -> fn(u64) -> Case {
+pub fn named(arguments: &mut Vec<String>) -> Generate {
     let found = SMALL
         .into_iter()
         .find(|(name, _)| arguments.first().is_some_and(|first| first == name));

@@ -151,10 +151,11 @@ impl Planes {
         let scaled = |x: f64| ldexp(x, -self.unit - self.shift);
         // Exactly; but an error of zero would say that it is an integer in every rung.
         let difference = |x: f64, y: f64| {
-            if x == y {
-                BallDd::zero()
+            let exact = BallDd::new(scaled(x), -scaled(y), f64::MIN_POSITIVE);
+            if exact.value().abs() > 0.0 {
+                exact
             } else {
-                BallDd::new(scaled(x), -scaled(y), f64::MIN_POSITIVE)
+                BallDd::zero()
             }
         };
         let (a, b) = (difference(p[1], q[1]), difference(q[0], p[0]));
