@@ -194,7 +194,7 @@ fn roots_of_floats_are_walled_off() {
     let roots = with("hipline/src", &[".sqrt()", ".hypot("]);
     let allowed = [
         "predicates/eaves.rs",
-        "predicates/planes.rs",
+        "predicates/lines.rs",
         "predicates/root.rs",
         "observe/terrain.rs",
     ];

@@ -259,15 +259,9 @@ impl Assembly<'_> {
                 }
             }
             for &(node, walk) in &spikes {
-                let at = self.finite_place(node);
-                let stops = self
-                    .planes
-                    .compare_along(&at, &self.finite_place(born), plane)
-                    .is_eq()
-                    && self
-                        .planes
-                        .compare_times(&at, &self.finite_place(born))
-                        .is_gt()
+                let [at, start] = [node, born].map(|node| self.finite_place(node));
+                let stops = self.planes.compare_along(&at, &start, plane).is_eq()
+                    && self.planes.compare_times(&at, &start).is_gt()
                     && best.as_ref().is_none_or(|(other, ..)| {
                         self.planes.compare_times(&at, other) == Ordering::Less
                     });
@@ -529,11 +523,8 @@ impl Assembly<'_> {
         };
         let plane = self.front.wave(trace.inn).plane;
         let order = self.planes.compare_along(p, q, plane);
-        match self.planes.compare_along(
-            &self.finite_place(trace.born),
-            &self.finite_place(end),
-            plane,
-        ) {
+        let [from, to] = [trace.born, end].map(|node| self.finite_place(node));
+        match self.planes.compare_along(&from, &to, plane) {
             Ordering::Greater => order.reverse(),
             _ => order,
         }
