@@ -18,6 +18,6 @@ pub use orthogonal::{Columns, columns, orthogonal, subdivide};
 pub use random::Random;
 pub use shapes::STRAIGHT_VERTICES;
 pub use small::{Kind, small, small_of, weigh};
-pub use tight::tight;
+pub use tight::{tight, wheel};
 pub use tilted::{Heights, raise, small_tilted};
 pub use weighted::{Weights, change_speeds, small_weighted};
