@@ -1,16 +1,17 @@
 //! The lower envelope of slabs beside the kinetic engine, and the motorcycle graph that it starts from.
 //!
 //! ```text
-//! cargo run --release -p hipline-bench --example envelope [--only-envelope] [FAMILY:SIZE...]
+//! cargo run --release -p hipline-bench --example envelope [--only-envelope] [--cells] [FAMILY:SIZE...]
 //! ```
 //!
-//! Seconds on the clock, one run each, by as many threads as `RAYON_NUM_THREADS` allows; and how the counted steps grow.
+//! Seconds on the clock, one run each, by as many threads as `RAYON_NUM_THREADS` allows; and how the counted steps grow. With `--cells`: how many cells there
+//! are, how many of them have several valleys and a long list, and are divided no further, and how long the longest list of these is.
 
 use std::hint::black_box;
 use std::time::Instant;
 
 use hipline::{Engine, Options, Region};
-use hipline_testkit::generate::{Family, tight};
+use hipline_testkit::generate::{Family, tight, wheel};
 
 fn time<T>(job: impl FnOnce() -> T) -> (f64, T) {
     let start = Instant::now();
@@ -21,6 +22,7 @@ fn time<T>(job: impl FnOnce() -> T) -> (f64, T) {
 fn main() {
     let mut arguments: Vec<String> = std::env::args().skip(1).collect();
     let alone = arguments.iter().any(|a| a == "--only-envelope");
+    let count_cells = arguments.iter().any(|a| a == "--cells");
     arguments.retain(|a| !a.starts_with("--"));
     if arguments.is_empty() {
         for family in ["random", "star", "regular", "coast", "holes"] {
@@ -37,6 +39,8 @@ fn main() {
         let n: usize = size.parse().expect("a size");
         let case = if name == "tight" {
             tight(n / 2, n / 6, 1)
+        } else if name == "wheel" {
+            wheel(n, 1)
         } else {
             Family::named(name).expect("a family").generate(n, 1)
         };
@@ -55,5 +59,19 @@ fn main() {
             "{name:<14} {n:>8} {motorcycles:>10.3} {envelope:>9.3} {kinetic:>10.4} {steps:>10} {:>10.1}",
             steps as f64 / n as f64
         );
+        if count_cells {
+            let cells = figure.subdivision().expect("polygons").last;
+            let whole = cells
+                .iter()
+                .filter(|cell| cell.valleys > 1 && cell.slabs > 8);
+            let lists: Vec<usize> = whole.map(|cell| cell.slabs).collect();
+            let longest = lists.iter().max().copied().unwrap_or(0);
+            println!(
+                "{:>14} {} cells, {} undivided, lists up to {longest}",
+                "",
+                cells.len(),
+                lists.len()
+            );
+        }
     }
 }

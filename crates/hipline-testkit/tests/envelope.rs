@@ -7,7 +7,7 @@ use std::panic::catch_unwind;
 use common::{count, field};
 use hipline::{Engine, Figure, NotApplicable, Options, Region};
 use hipline_testkit::agreement::{compare, drawn};
-use hipline_testkit::generate::{Family, Kind, small, small_of, tight};
+use hipline_testkit::generate::{Family, Kind, small, small_of, tight, wheel};
 use hipline_testkit::reference::{Graph, reference};
 
 fn inside() -> Options {
@@ -111,6 +111,27 @@ fn agrees_on_larger_polygons() {
         if let Some(how) = failure(&figure) {
             panic!("{how}: {}", case.to_text());
         }
+    }
+    for seed in 0..count(40, 4) {
+        let case = wheel(30 + 6 * seed as usize, seed);
+        let figure = case.figure().expect("a polygon");
+        if let Some(how) = failure(&figure) {
+            panic!("{how}: {}", case.to_text());
+        }
+    }
+}
+
+/// Valleys at all angles: no cell with several of them and a long list is left, and few steps are made.
+#[test]
+fn chords_divide_valleys_at_all_angles() {
+    for n in [99, 300] {
+        let figure = wheel(n, 1).figure().expect("a polygon");
+        let cells = figure.subdivision().expect("a polygon").last;
+        let entered = cells.iter().filter(|cell| cell.valleys > 0).count();
+        assert!(entered > n / 12, "{entered}");
+        let whole = cells.iter().filter(|c| c.valleys > 1 && c.slabs > 8);
+        assert_eq!(whole.count(), 0);
+        assert!(steps(&figure) < 80.0 * n as f64, "{}", steps(&figure));
     }
 }
 

@@ -20,7 +20,7 @@ pub use orthogonal::{Columns, columns, orthogonal, subdivide};
 pub use random::Random;
 pub use shapes::STRAIGHT_VERTICES;
 pub use small::{Kind, small, small_fine, small_of, weigh};
-pub use tight::tight;
+pub use tight::{tight, wheel};
 pub use tilted::{Heights, raise, small_tilted};
 pub use weighted::{Weights, change_speeds, small_weighted};
 

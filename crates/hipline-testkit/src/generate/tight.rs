@@ -1,5 +1,7 @@
 //! Polygons on which the bound of divide and conquer over slabs is tight: figure 5.1 of Mencil's thesis (2014).
 
+use std::f64::consts::TAU;
+
 use super::random::Random;
 use crate::case::{Case, Part};
 
@@ -30,6 +32,28 @@ pub fn tight(chain: usize, dips: usize, seed: u64) -> Case {
     }
     Case {
         comments: vec![format!("tight: {chain} edges, {dips} dips, seed {seed}")],
+        ..Case::of(vec![Part::polygon(vec![points])])
+    }
+}
+
+/// A circle with about n / 3 narrow notches that point to its middle, more or less: their valleys cross cells without
+/// vertices of motorcycles at all angles.
+#[must_use]
+pub fn wheel(n: usize, seed: u64) -> Case {
+    let random = &mut Random::new(seed);
+    let count = (n / 3).max(3);
+    let mut points = Vec::with_capacity(3 * count);
+    for notch in 0..count {
+        let at = notch as f64 + 0.3 * random.unit();
+        let depth = 20.0 + 180.0 * random.unit();
+        let tilt = 0.1 * (random.unit() - 0.5);
+        for (along, radius) in [(0.0, 1000.0), (0.15 + tilt, 1000.0 - depth), (0.3, 1000.0)] {
+            let (sin, cos) = (TAU * (at + along) / count as f64).sin_cos();
+            points.push([radius * cos, radius * sin]);
+        }
+    }
+    Case {
+        comments: vec![format!("wheel: {count} notches, seed {seed}")],
         ..Case::of(vec![Part::polygon(vec![points])])
     }
 }

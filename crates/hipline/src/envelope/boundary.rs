@@ -111,19 +111,8 @@ impl Envelope<'_> {
 
     /// The side of a cut that a corner is on: positive on the left.
     fn side(&self, cut: &Cut, node: &Node) -> Sign {
-        if let Line::Vertical(_) | Line::Horizontal(_) = &cut.line {
-            let across = 1 - cut.axis;
-            let c = cut.bounds;
-            let sign = if node.frame[across][0] > c[1] {
-                Sign::Positive
-            } else if node.frame[across][1] < c[0] {
-                Sign::Negative
-            } else {
-                Sign::Zero
-            };
-            if !sign.is_zero() {
-                return if cut.axis == 1 { -sign } else { sign };
-            }
+        if let Some(sign) = cut.side_of_box(&node.frame) {
+            return sign;
         }
         self.planes.side_of_line(&node.what, &cut.line)
     }

@@ -19,8 +19,8 @@ use std::{collections::VecDeque, sync::Arc};
 
 /// Of a list this short, all pairs are candidates.
 const SHORT: usize = 8;
-/// So many cuts are tried before a cell is left as it is.
-const TRIES: usize = 8;
+/// So many lines are tried in either stage before a cell is left as it is.
+const TRIES: usize = 4;
 
 /// So many cells are found before threads share them.
 const MANY: usize = 64;
@@ -54,7 +54,7 @@ fn between(low: f64, high: f64) -> Option<f64> {
     (low < c && c < high).then_some(c)
 }
 
-fn middle(node: &Node) -> [f64; 2] {
+pub(super) fn middle(node: &Node) -> [f64; 2] {
     node.frame.map(|[low, high]| low.midpoint(high))
 }
 
@@ -188,37 +188,78 @@ impl Envelope<'_> {
         self.count.cells += 1;
         self.count.depth = self.count.depth.max(cell.depth);
         let deepest = 32 + 4 * self.faces.len().ilog2();
-        let is_short = self.slabs_in(cell).len() <= SHORT;
-        if !is_short && !cell.is_convex() && cell.depth < deepest {
-            let whole = self.weight(cell);
-            for attempt in 0..TRIES {
-                let Some((cut, is_late)) = self.cut_for(cell, attempt) else {
-                    continue;
-                };
-                let Some(mut parts) = self.split(cell, &cut) else {
-                    continue;
-                };
-                let is_progress = parts.iter().all(|part| {
-                    let part = self.weight(part);
-                    part[0] < whole[0] || 8 * part[1] < 7 * whole[1] || 8 * part[2] < 7 * whole[2]
-                });
-                if is_progress {
-                    for part in &mut parts {
-                        part.is_late = is_late;
-                    }
-                    if is_late && !cell.is_late {
-                        self.show(0, cell);
-                    }
-                    return parts;
-                }
-            }
+        let slabs = self.slabs_in(cell);
+        let is_short = slabs.len() <= SHORT;
+        let sides = if is_short {
+            None
+        } else if cell.is_convex() {
+            Some(vec![slabs.clone()])
+        } else {
+            self.beside_valley(cell).map(Vec::from)
+        };
+        if !is_short
+            && sides.is_none()
+            && cell.depth < deepest
+            && let Some(parts) = self.cut_up(cell)
+        {
+            return parts;
         }
         if !cell.is_late {
             self.show(0, cell);
         }
         self.show(1, cell);
-        self.finish(cell, found);
+        self.finish(slabs, sides, found);
         Vec::new()
+    }
+
+    /// What is left by the first cut that divides a cell well: through the median of its motorcycle vertices, or else between its valleys.
+    fn cut_up(&mut self, cell: &Cell) -> Option<Vec<Cell>> {
+        let whole = self.weight(cell);
+        let is_first = !cell.is_late && whole[2] >= 3;
+        for is_late in [false, true] {
+            if is_late {
+                for cut in self.chords(cell) {
+                    if let Some(parts) = self.cut_by(cell, &cut, whole, true) {
+                        return Some(parts);
+                    }
+                }
+            } else if !is_first {
+                continue;
+            }
+            for attempt in 0..TRIES {
+                if let Some(cut) = self.line_for(cell, attempt, is_late)
+                    && let Some(parts) = self.cut_by(cell, &cut, whole, is_late)
+                {
+                    return Some(parts);
+                }
+            }
+        }
+        None
+    }
+
+    /// What a cut leaves of a cell of known weight, if it divides it well.
+    fn cut_by(
+        &mut self,
+        cell: &Cell,
+        cut: &Cut,
+        whole: [usize; 3],
+        is_late: bool,
+    ) -> Option<Vec<Cell>> {
+        let mut parts = self.split(cell, cut)?;
+        let is_progress = parts.iter().all(|part| {
+            let part = self.weight(part);
+            part[0] < whole[0] || 8 * part[1] < 7 * whole[1] || 8 * part[2] < 7 * whole[2]
+        });
+        if !is_progress {
+            return None;
+        }
+        for part in &mut parts {
+            part.is_late = is_late;
+        }
+        if is_late && !cell.is_late {
+            self.show(0, cell);
+        }
+        Some(parts)
     }
 
     /// Remembers a cell, if somebody wants to see it.
@@ -234,15 +275,10 @@ impl Envelope<'_> {
         [valleys.len(), self.slabs_in(cell).len(), points.len()]
     }
 
-    /// Lists the pairs of faces of a cell that is not divided any further.
-    fn finish(&mut self, cell: &Cell, found: &mut Found) {
-        let slabs = self.slabs_in(cell);
+    /// Lists the pairs of faces of a cell that is not divided any further: of all its slabs, unless it consists of parts without valleys.
+    fn finish(&mut self, slabs: Vec<u32>, sides: Option<Vec<Vec<u32>>>, found: &mut Found) {
         self.count.last += slabs.len() as u64;
-        if slabs.len() > SHORT && cell.is_convex() {
-            self.list_convex(&slabs, found);
-        } else if slabs.len() > SHORT
-            && let Some(sides) = self.beside_valley(cell)
-        {
+        if let Some(sides) = sides {
             for side in sides {
                 self.list_convex(&side, found);
             }
@@ -309,11 +345,10 @@ impl Envelope<'_> {
         (points, valleys)
     }
 
-    /// A cut through a cell: through the median of the motorcycle vertices in it, or else between its valleys; and whether it is the latter.
-    fn cut_for(&self, cell: &Cell, attempt: usize) -> Option<(Cut, bool)> {
+    /// A line up or to the right through a cell: through the median of the motorcycle vertices in it, or else, where there is no chord, between its valleys.
+    fn line_for(&self, cell: &Cell, attempt: usize, is_late: bool) -> Option<Cut> {
         let frame = cell.frame();
         let (mut points, valleys) = self.points_in(cell);
-        let is_late = cell.is_late || points.len() < 3 || attempt >= TRIES / 2;
         if is_late {
             points = valleys
                 .iter()
@@ -324,11 +359,6 @@ impl Envelope<'_> {
             // A hole, or a valley that only passes.
             points.push(frame.map(|[low, high]| low.midpoint(high)));
         }
-        let gap_of = if is_late == cell.is_late {
-            attempt / 2
-        } else {
-            attempt % (TRIES / 2) / 2
-        };
         let mut cuts = [0, 1].map(|axis| {
             let [low, high] = frame[axis];
             let mut values: Vec<f64> = points.iter().map(|p| p[axis].clamp(low, high)).collect();
@@ -338,7 +368,7 @@ impl Envelope<'_> {
             // The gap next to the median, or one further away.
             let mut gaps: Vec<usize> = (0..count).filter(|&i| values[i] < values[i + 1]).collect();
             gaps.sort_by_key(|&i| ((2 * i + 1).abs_diff(count), i));
-            let gap = *gaps.get(gap_of)?;
+            let gap = *gaps.get(attempt / 2)?;
             let c = between(values[gap], values[gap + 1])?;
             // How many are certainly on either side.
             let least = |sides: &mut dyn Iterator<Item = [f64; 2]>| {
@@ -367,7 +397,7 @@ impl Envelope<'_> {
         let swap = y.0 > x.0 || y.0 == x.0 && y.1 > x.1;
         let axis = usize::from(swap) ^ (attempt % 2);
         let (c, _, _) = cuts[axis].take()?;
-        Some((Cut::across(&self.planes, axis, c), is_late))
+        Some(Cut::across(&self.planes, axis, c))
     }
 }
 

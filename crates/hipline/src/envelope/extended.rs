@@ -123,7 +123,8 @@ impl Envelope<'_> {
             line: self.line_of(Mark::Source(left)),
             axis,
             is_down,
-            bounds: [f64::NEG_INFINITY, f64::INFINITY],
+            toward: None,
+            is_chord: false,
         })
     }
 }

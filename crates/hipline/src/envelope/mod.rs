@@ -17,10 +17,12 @@
 
 mod boundary;
 mod cells;
+mod chords;
 mod convex;
 mod extended;
 mod faces;
 mod glue;
+mod outerplanar;
 mod profile;
 mod section;
 mod slabs;

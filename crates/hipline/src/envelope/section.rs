@@ -7,7 +7,7 @@ use super::{
     profile::{Chart, Meet, Piece, lower_envelope},
 };
 use crate::predicates::{CellCorner, Line, PlaneId, Planes, Station, Track as Border};
-use hipline_num::Sign;
+use hipline_num::{Sign, power_of_two};
 use std::{
     cell::{Cell, RefCell},
     cmp::Ordering,
@@ -22,23 +22,80 @@ pub(super) struct Cut {
     pub axis: usize,
     /// Whether it goes down along this axis.
     pub is_down: bool,
-    /// The other coordinate of its points, if it is parallel to the axis.
-    pub bounds: [f64; 2],
+    /// A point of it, and its direction, unless it goes along a track.
+    pub toward: Option<([f64; 2], [i32; 2])>,
+    /// Whether only its stretch around that point cuts.
+    pub is_chord: bool,
 }
 
 impl Cut {
     /// The cut up, or to the right, where a coordinate has the given value.
     pub(super) fn across(planes: &Planes, axis: usize, c: f64) -> Self {
-        let at = Arc::new(Station::new(planes, [c, c]));
+        let mut point = [0.0; 2];
+        point[axis] = c;
+        let toward = [0, 1].map(|k| i32::from(k != axis));
         Self {
-            line: if axis == 0 {
-                Line::Vertical(at)
-            } else {
-                Line::Horizontal(at)
-            },
-            axis: 1 - axis,
-            is_down: false,
-            bounds: [c, c],
+            is_chord: false,
+            ..Self::chord(planes, point, toward)
+        }
+    }
+
+    /// The cut through a point in a direction, within the stretch around the point.
+    pub(super) fn chord(planes: &Planes, point: [f64; 2], toward: [i32; 2]) -> Self {
+        let axis = usize::from(toward[1].abs() > toward[0].abs());
+        Self {
+            line: Line::Toward(Arc::new(Station::new(planes, point)), toward),
+            axis,
+            is_down: toward[axis] < 0,
+            toward: Some((point, toward)),
+            is_chord: true,
+        }
+    }
+
+    /// How far along it a point is.
+    pub(super) fn at(&self, point: [f64; 2]) -> f64 {
+        if self.is_down {
+            -point[self.axis]
+        } else {
+            point[self.axis]
+        }
+    }
+
+    /// A point of it that many directions from its own, if it is in f64.
+    pub(super) fn point(&self, t: f64) -> Option<[f64; 2]> {
+        let (from, toward) = self.toward?;
+        let [x, y] = [0, 1].map(|k| {
+            let (p, d) = (from[k], f64::from(toward[k]));
+            let way = t * d;
+            let sum = p + way;
+            let rest = sum - p;
+            // What was rounded off (Dekker, Knuth).
+            let off = [t.mul_add(d, -way), p - (sum - rest), way - rest];
+            off.iter().all(|&x| x.abs() <= 0.0).then_some(sum)
+        });
+        Some([x?, y?])
+    }
+
+    /// On which side of it a box is, if that is plain: positive on the left.
+    pub(super) fn side_of_box(&self, frame: &[[f64; 2]; 2]) -> Option<Sign> {
+        let (from, toward) = self.toward?;
+        let [dx, dy] = toward.map(f64::from);
+        let mut bounds = [0.0; 2];
+        let mut size = 0.0;
+        for (factor, k) in [(-dy, 0), (dx, 1)] {
+            let [low, high] = frame[k].map(|x| factor * (x - from[k]));
+            bounds[0] += low.min(high);
+            bounds[1] += low.max(high);
+            size += low.abs() + high.abs();
+        }
+        // Each sum of two is off by one part in 2^52 of what goes into it at most.
+        let slack = size * power_of_two(-50);
+        if bounds[0] > slack {
+            Some(Sign::Positive)
+        } else if bounds[1] < -slack {
+            Some(Sign::Negative)
+        } else {
+            None
         }
     }
 

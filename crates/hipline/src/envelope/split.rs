@@ -13,7 +13,7 @@ use super::{
     section::{Above, Cut, Mark, Spot},
     strips::Half,
 };
-use crate::predicates::{CellCorner, Line, Station};
+use crate::predicates::{CellCorner, Station};
 use hipline_num::{Sign, exponent, power_of_two};
 use std::sync::Arc;
 
@@ -22,14 +22,17 @@ struct Seen {
     slab: u32,
     ends: [Arc<Node>; 2],
     /// Points within it, from which strips start.
-    inner: Option<[f64; 2]>,
+    inner: Option<[Arc<Station>; 2]>,
 }
 
 impl Envelope<'_> {
     /// The cells that a cut divides a cell into, and the stretches of the cut between; `None` if another cut is needed.
     pub(super) fn split(&mut self, cell: &Cell, cut: &Cut) -> Option<Vec<Cell>> {
-        let sides = self.sides(cut, cell)?;
-        let crossings = self.crossings(cut, cell, &sides)?;
+        let mut sides = self.sides(cut, cell)?;
+        let mut crossings = self.crossings(cut, cell, &sides)?;
+        if cut.is_chord {
+            crossings = chord(cut, cell, crossings, &mut sides)?;
+        }
         if crossings.is_empty() || self.meets_on(cut, cell) {
             return None;
         }
@@ -118,22 +121,24 @@ impl Envelope<'_> {
         None
     }
 
-    /// Two numbers between places on a cut, near these.
-    fn inner(&self, cut: &Cut, from: &Node, to: &Node) -> Option<[f64; 2]> {
-        if !matches!(cut.line, Line::Vertical(_) | Line::Horizontal(_)) {
-            return None;
-        }
+    /// Two points between places on a cut, near these.
+    fn inner(&self, cut: &Cut, from: &Node, to: &Node) -> Option<[Arc<Station>; 2]> {
+        let (point, toward) = cut.toward?;
         let low = cut.along(from)[1];
         let high = cut.along(to)[0];
-        let width = high - low;
+        let speed = f64::from(toward[cut.axis].abs());
+        let [first, last] = [low, high].map(|x| (x - cut.at(point)) / speed);
+        let width = last - first;
         if !(width > 0.0 && width.is_finite()) {
             return None;
         }
-        let grain = power_of_two((exponent(width) - 6).max(-1000));
-        let first = (low / grain).floor() + 1.3125;
-        let last = (high / grain).ceil() - 1.3125;
-        let [p, q] = [first * grain, last * grain];
-        (low < p && p < q && q < high).then_some([p, q])
+        let grain = power_of_two((exponent(width) - 6).max(-900));
+        let first = (first / grain).floor() + 1.3125;
+        let last = (last / grain).ceil() - 1.3125;
+        let [p, q] = [cut.point(first * grain)?, cut.point(last * grain)?];
+        let [first, last] = [cut.at(p), cut.at(q)];
+        (low < first && first < last && last < high)
+            .then(|| [p, q].map(|point| Arc::new(Station::new(&self.planes, point))))
     }
 
     /// The part of a cell on one side of a cut, before anything is taken out.
@@ -200,9 +205,9 @@ impl Envelope<'_> {
                     .planes
                     .sinks_to(&cut.line, self.slab(stretch.slab).plane)
                     == side;
-                match stretch.inner {
+                match &stretch.inner {
                     Some(inner) if sinks => {
-                        let stations = [before, after].map(|k| self.station_on(cut, inner[k]));
+                        let stations = [before, after].map(|k| inner[k].clone());
                         let nodes =
                             (stations.each_ref()).map(|at| self.node(CellCorner::At(at.clone())));
                         let first = half.push(piece(&from, &nodes[0]), last);
@@ -237,11 +242,34 @@ impl Envelope<'_> {
         half.index();
         Some(half)
     }
+}
 
-    /// A point of a cut.
-    fn station_on(&self, cut: &Cut, along: f64) -> Arc<Station> {
-        let mut point = [cut.bounds[0]; 2];
-        point[cut.axis] = along;
-        Arc::new(Station::new(&self.planes, point))
+/// Of the stretches of a cut within a cell without holes, the one around the cut's point. What it divides the cell into are the sides
+/// from now on.
+fn chord(
+    cut: &Cut,
+    cell: &Cell,
+    crossings: Vec<Crossing>,
+    sides: &mut [Sign],
+) -> Option<Vec<Crossing>> {
+    let at = cut.at(cut.toward?.0);
+    let number = crossings.partition_point(|c| cut.along(&c.node)[1] < at);
+    let pair: Vec<Crossing> = crossings
+        .into_iter()
+        .skip(number.checked_sub(1)?)
+        .take(2)
+        .collect();
+    let [enter, leave] = &pair[..] else {
+        return None;
+    };
+    if !enter.enters || cut.along(&leave.node)[0] <= at || cell.holes > 0 {
+        return None;
     }
+    sides.fill(Sign::Negative);
+    let mut edge = leave.edge;
+    while edge != enter.edge {
+        edge = cell.edges[edge as usize].next;
+        sides[edge as usize] = Sign::Positive;
+    }
+    Some(pair)
 }

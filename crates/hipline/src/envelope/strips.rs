@@ -5,7 +5,7 @@ use super::{
     boundary::{Cell, Edge, Kind, NONE, Node, frame},
     section::{Cut, Mark},
 };
-use crate::predicates::{CellCorner, Line, Place, Spot as Point, Station};
+use crate::predicates::{CellCorner, Line, Place, Station};
 use hipline_num::Sign;
 use std::{collections::BTreeMap, sync::Arc};
 
@@ -121,22 +121,7 @@ impl Half {
 
 impl Envelope<'_> {
     pub(super) fn side_of_place(&self, cut: &Cut, place: Place) -> Sign {
-        match &cut.line {
-            Line::Border(track) => self.planes.beside(Point::Place(&place), track),
-            Line::Vertical(at) => -self.apart(&place, at, 0),
-            Line::Horizontal(at) => self.apart(&place, at, 1),
-            Line::Down(..) => unreachable!("no cut goes straight down"),
-        }
-    }
-
-    /// How a place is to a station along an axis.
-    fn apart(&self, place: &Place, at: &Station, axis: usize) -> Sign {
-        let [p, q] = [Point::Place(place), Point::Station(at)];
-        Sign::from(if axis == 0 {
-            self.planes.compare_abscissas(p, q)
-        } else {
-            self.planes.compare_ordinates(p, q)
-        })
+        self.planes.place_beside(&place, &cut.line)
     }
 
     /// Where straight down from a point on a slab one leaves the half, or gets to a valley.
@@ -429,7 +414,7 @@ impl Envelope<'_> {
             return None;
         };
         // Up from there.
-        let ray = Line::Vertical(at.clone());
+        let ray = Line::Toward(at.clone(), [0, 1]);
         let mut found = None;
         for i in near {
             let mut count = 0;

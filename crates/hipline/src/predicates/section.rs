@@ -9,6 +9,7 @@ use std::{cmp::Ordering, sync::Arc};
 
 use super::{
     decide::Question,
+    place::{self, Place},
     planes::{PlaneId, Planes, Rung},
     station::{Station, Track, line, side},
 };
@@ -20,10 +21,8 @@ pub(crate) enum Line {
     Border(Track),
     /// Straight down on a plane through a point; what is further along the plane's edge is positive.
     Down(PlaneId, Arc<Station>),
-    /// Up through a point.
-    Vertical(Arc<Station>),
-    /// To the right through a point.
-    Horizontal(Arc<Station>),
+    /// Through a point, in a direction.
+    Toward(Arc<Station>, [i32; 2]),
 }
 
 /// A corner of a cell.
@@ -47,13 +46,14 @@ fn numbers<T: Rung>(planes: &Planes, of: &Line) -> ([T; 3], Option<Sign>) {
                 Some(Sign::Positive),
             )
         }
-        Line::Vertical(at) => {
-            let [x, _, w] = at.numbers::<T>(planes);
-            ([w.negated(), T::zero(), x.negated()], Some(Sign::Positive))
-        }
-        Line::Horizontal(at) => {
-            let [_, y, w] = at.numbers::<T>(planes);
-            ([T::zero(), w, y], Some(Sign::Positive))
+        Line::Toward(at, toward) => {
+            let [x, y, w] = at.numbers::<T>(planes);
+            let [dx, dy] = toward.map(|d| T::from_i64(d.into()));
+            let z = dx.times(&y).minus(&dy.times(&x));
+            (
+                [dy.negated().times(&w), dx.times(&w), z],
+                Some(Sign::Positive),
+            )
         }
     }
 }
@@ -76,6 +76,16 @@ struct Beside<'a>(&'a CellCorner, &'a Line);
 impl Question for Beside<'_> {
     fn ask<T: Rung>(&self, planes: &Planes) -> Option<Sign> {
         side(&point::<T>(planes, self.0), &numbers::<T>(planes, self.1))
+    }
+}
+
+/// On which side of a line a place is.
+struct PlaceBeside<'a>(&'a Place, &'a Line);
+
+impl Question for PlaceBeside<'_> {
+    fn ask<T: Rung>(&self, planes: &Planes) -> Option<Sign> {
+        let at = place::point::<T>(planes, self.0);
+        side(&[at.x, at.y, at.w], &numbers::<T>(planes, self.1))
     }
 }
 
@@ -139,6 +149,11 @@ impl Planes {
     /// On which side of a line a corner is.
     pub(crate) fn side_of_line(&self, corner: &CellCorner, line: &Line) -> Sign {
         self.decide(&Beside(corner, line))
+    }
+
+    /// On which side of a line a place is.
+    pub(crate) fn place_beside(&self, place: &Place, line: &Line) -> Sign {
+        self.decide(&PlaceBeside(place, line))
     }
 
     /// Compares where a cut crosses two lines.
