@@ -9,6 +9,7 @@
 //! the clock starts. Memory is the most that is in use, figure and result among it; it is known only if nothing before took more,
 //! so ask for one family and size at a time.
 
+use std::alloc::System;
 use std::hint::black_box;
 
 use cap::Cap;
@@ -16,7 +17,6 @@ use cpu_time::ThreadTime;
 use hipline::motorcycle::{Launch, MotorcycleGraph};
 use hipline::{Figure, Options};
 use hipline_testkit::generate::{Family, Random};
-use mimalloc::MiMalloc;
 use spade::{ConstrainedDelaunayTriangulation, Point2};
 
 const FAMILIES: [Family; 9] = [
@@ -32,7 +32,7 @@ const FAMILIES: [Family; 9] = [
 ];
 
 #[global_allocator]
-static MEMORY: Cap<MiMalloc> = Cap::new(MiMalloc, usize::MAX);
+static MEMORY: Cap<System> = Cap::new(System, usize::MAX);
 
 /// Nanoseconds for each of n.
 fn time(n: usize, mut job: impl FnMut()) -> f64 {

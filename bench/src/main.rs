@@ -26,11 +26,14 @@ mod worker;
 
 use std::process::ExitCode;
 
-use mimalloc::MiMalloc;
+#[cfg(feature = "mimalloc")]
+use mimalloc::MiMalloc as Allocator;
+#[cfg(not(feature = "mimalloc"))]
+use std::alloc::System as Allocator;
 
-/// Counts what is allocated; passes everything on to the allocator that the command line has, too.
+/// Counts what is allocated, and passes everything on.
 #[global_allocator]
-static MEMORY: cap::Cap<MiMalloc> = cap::Cap::new(MiMalloc, usize::MAX);
+static MEMORY: cap::Cap<Allocator> = cap::Cap::new(Allocator, usize::MAX);
 
 fn main() -> ExitCode {
     match run() {
