@@ -115,6 +115,15 @@ impl Kept for Limbs {
     }
 }
 
+/// `a`, `b`, `c` of a line, as far as they fit.
+fn integers<I: Integer>(planes: &Planes, line: usize) -> [Option<I>; 3] {
+    match &planes.lines[line] {
+        Line::Small { a, b, c } => [i128::from(*a), i128::from(*b), *c].map(I::from_i128),
+        Line::Big(abc) => abc.each_ref().map(I::from_int),
+        _ => planes.integers(line).each_ref().map(I::from_int),
+    }
+}
+
 impl<I: Integer> Bare<I> {
     /// `None` if something does not fit, or the plane is of a later phase.
     fn new(planes: &Planes, id: PlaneId) -> Option<Self> {
@@ -122,12 +131,10 @@ impl<I: Integer> Bare<I> {
         if line >= planes.first_later {
             return None;
         }
-        let [a, b, c] = match &planes.lines[line] {
-            Line::Small { a, b, c } => [i128::from(*a), i128::from(*b), *c].map(I::from_i128),
-            Line::Big(abc) => abc.each_ref().map(I::from_int),
-            Line::Between(_) => planes.integers(line).each_ref().map(I::from_int),
-            Line::Level(_) | Line::Tilted(_) => return None,
-        };
+        if let Line::Level(_) | Line::Tilted(_) = planes.lines[line] {
+            return None;
+        }
+        let [a, b, c] = integers::<I>(planes, line);
         let Length { multiple, root } = planes.lengths.of(planes, line);
         let mut s = I::from_i128(multiple?.into())?;
         if let Some(speeds) = &planes.speeds {
@@ -182,16 +189,11 @@ impl<I: Kept> Rung for Fixed<I> {
         met(planes, triple).unwrap_or_else(|| any_meeting(planes, triple))
     }
     fn line(planes: &Planes, line: usize) -> [Self; 4] {
-        let [a, b, c] = match &planes.lines[line] {
-            Line::Small { a, b, c } => [i128::from(*a), i128::from(*b), *c].map(I::from_i128),
-            Line::Big(abc) => abc.each_ref().map(I::from_int),
-            Line::Between(_) => planes.integers(line).each_ref().map(I::from_int),
-            Line::Level(c) => {
-                let [zero, one] = [0, 1].map(|i| Self::from_integer(I::from_i128(i)));
-                return [zero.clone(), zero, Self::from_integer(I::from_int(c)), one];
-            }
-            Line::Tilted(_) => unreachable!("tilted planes have no line"),
-        };
+        if let Line::Level(c) = &planes.lines[line] {
+            let [zero, one] = [0, 1].map(|i| Self::from_integer(I::from_i128(i)));
+            return [zero.clone(), zero, Self::from_integer(I::from_int(c)), one];
+        }
+        let [a, b, c] = integers::<I>(planes, line);
         let Length { multiple, root } = planes.lengths.of(planes, line);
         let multiple = multiple.and_then(|multiple| I::from_i128(multiple.into()));
         let length = if root == 0 {

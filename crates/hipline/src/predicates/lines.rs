@@ -43,8 +43,8 @@ pub(super) struct Known {
     pub(super) wide: Memo<[Wide; 4]>,
 }
 
-/// Coordinates with up to this many binary digits have differences and products in double-double that
-/// neither overflow nor underflow.
+/// With up to so many binary digits dropped, differences of coordinates and their products neither overflow nor underflow in
+/// double-double.
 const MIDDLING: i32 = 300;
 
 /// An approximation of `c` has to be this much closer than the number is large, or it is rounded from the integer.
