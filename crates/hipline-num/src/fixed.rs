@@ -10,11 +10,10 @@
 //! a double-double of the sum as it stands, or this rung abstains. That is seldom: what
 //! makes other rungs abstain is cancellation, and here it has happened exactly.
 
-use crate::{BallDd, Integer, Limbs, Number, Sign};
-use dashu_int::ops::{SquareRoot, UnsignedAbs};
+use crate::{BallDd, Integer, Number, Sign};
 use dashu_int::{IBig, UBig};
 use smallvec::SmallVec;
-use std::cell::{OnceCell, RefCell};
+use std::cell::RefCell;
 use std::cmp::Ordering;
 use std::collections::BTreeMap;
 use std::rc::Rc;
@@ -33,12 +32,7 @@ struct Table {
 struct Radical {
     value: IBig,
     root: BallDd,
-    /// The root times 2^(64 [`PLACES`]), rounded down.
-    fine: OnceCell<Option<Box<Limbs>>>,
 }
-
-/// Digits to the base 2^64 after the point of a finer root.
-const PLACES: usize = 3;
 
 impl Radicals {
     /// The number of a radicand, which is not a perfect square.
@@ -49,11 +43,7 @@ impl Radicals {
         }
         let value = IBig::from(radicand.clone());
         let root = BallDd::from_int(&value).sqrt();
-        table.values.push(Radical {
-            value,
-            root,
-            fine: OnceCell::new(),
-        });
+        table.values.push(Radical { value, root });
         let number = u32::try_from(table.values.len()).expect("fewer than 2^32 radicands");
         table.numbers.insert(radicand, number);
         number
@@ -65,32 +55,6 @@ impl Radicals {
 
     fn root(&self, number: u32) -> BallDd {
         self.0.borrow().values[number as usize - 1].root
-    }
-
-    fn fine_root(&self, number: u32) -> Option<Limbs> {
-        let table = self.0.borrow();
-        let radical = &table.values[number as usize - 1];
-        let fine = radical.fine.get_or_init(|| {
-            let square = radical.value.clone().unsigned_abs() << (2 * 64 * PLACES);
-            Limbs::from_int(&IBig::from(square.sqrt())).map(Box::new)
-        });
-        fine.as_deref().copied()
-    }
-
-    /// P and E such that the product of roots times 2^(64 [`PLACES`]) is between P and P + E.
-    fn fine_product(&self, product: Product) -> Option<[Limbs; 2]> {
-        let one = Limbs::from_i128(1)?;
-        let mut numbers = factors(product);
-        let mut found = [self.fine_root(numbers.next()?)?, one];
-        for number in numbers {
-            let root = self.fine_root(number)?;
-            let [p, e] = found;
-            // (p + e) (root + 1) - p root = p + e root + e; each cut costs less than one.
-            let excess = p.plus(&e.times(&root)?)?.plus(&e)?;
-            let excess = excess.without(PLACES).plus(&one)?.plus(&one)?;
-            found = [p.times(&root)?.without(PLACES), excess];
-        }
-        Some(found)
     }
 }
 
@@ -229,29 +193,6 @@ impl<I: Integer> Fixed<I> {
             }
         }
         Some((sum, drop))
-    }
-
-    /// As [`to_ball_dd`](Self::to_ball_dd), with roots to 192 binary digits after the point: for
-    /// sums in which different roots nearly cancel.
-    #[must_use]
-    pub fn to_fine_ball_dd(&self) -> Option<(BallDd, i32)> {
-        let Sum { rational, terms } = self.sum.as_ref()?;
-        let mut low = rational.to_limbs().with_zeros(PLACES)?;
-        let mut slack = Limbs::ZERO;
-        if let Some(radicals) = &self.radicals {
-            for term in terms {
-                let coefficient = term.coefficient.to_limbs();
-                let [value, excess] = radicals.fine_product(term.product)?;
-                low = low.plus(&coefficient.times(&value)?)?;
-                slack = slack.plus(&coefficient.size().times(&excess)?)?;
-            }
-        }
-        let drop = low.bit_len().saturating_sub(200) as i32;
-        let near = low.to_ball_dd().ldexp(-drop);
-        let slack = slack.to_ball_dd().ldexp(-drop).upper();
-        let error = (near.error() + slack) * (1.0 + f64::EPSILON);
-        let value = BallDd::new(near.value(), near.low(), error);
-        Some((value, drop - 64 * PLACES as i32))
     }
 
     /// The sign of a + b·√delta, where delta is not negative, if that can be told.
@@ -483,7 +424,6 @@ impl<I: Integer> Number for Fixed<I> {
         {
             return Some(leading);
         }
-        let near = self.to_ball_dd()?.0.sign();
-        near.or_else(|| self.to_fine_ball_dd()?.0.sign())
+        self.to_ball_dd()?.0.sign()
     }
 }

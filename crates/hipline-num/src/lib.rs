@@ -7,9 +7,10 @@
 //! | rung | type | when it cannot tell |
 //! | --- | --- | --- |
 //! | f64 with a proven error bound | [`Ball`] | abstains |
+//! | machine integers, where no root is needed | [`Whole`] | abstains |
 //! | double-double with a proven error bound | [`BallDd`] | abstains |
-//! | integers of up to 1024 digits and square roots | [`Fixed`] | abstains |
 //! | 400 digits with a proven error bound | [`Wide`] | abstains |
+//! | integers of up to 1024 digits and square roots | [`Fixed`] | abstains |
 //! | integers and square roots | [`Surd`] | always tells |
 //!
 //! It knows no geometry. Nothing here compares against a tolerance: a sign is either proven
@@ -34,7 +35,9 @@ mod sign;
 mod square;
 mod surd;
 mod surd_sign;
+mod whole;
 mod wide;
+mod words;
 
 pub use ball::Ball;
 pub use ball_dd::BallDd;
@@ -47,13 +50,14 @@ pub use limbs::{Digits, Integer, Limbs, Short};
 pub use number::Number;
 pub use rough::Rough;
 pub use rounding::{
-    compare_quotient_f64, round_ball_dd, round_ball_dd_plus, round_fixed_plus, round_quotient,
-    round_quotient_plus,
+    compare_quotient_f64, round_ball_dd, round_ball_dd_plus, round_quotient, round_quotient_plus,
+    round_wide_plus,
 };
 pub use rungs::Rungs;
 pub use sign::Sign;
 pub use square::perfect_root;
 pub use surd::Surd;
+pub use whole::Whole;
 pub use wide::Wide;
 
 /// Re-exported so that callers name the same integers.

@@ -8,7 +8,7 @@
 //! and most factors have two or three. What counts is moving them: a short one is 64 bytes.
 
 use crate::fixed::Term;
-use crate::{BallDd, Number, Sign};
+use crate::{BallDd, Number, Sign, words};
 use dashu_int::{IBig, Word};
 
 /// An integer of bounded size: `None` means that a result may not fit.
@@ -40,8 +40,6 @@ pub trait Integer: Sized + Clone + std::fmt::Debug {
     fn bit_len(&self) -> u32;
     /// The value as a double-double with its error bound.
     fn to_ball_dd(&self) -> BallDd;
-    /// The same value with more room.
-    fn to_limbs(&self) -> Limbs;
 }
 
 impl Integer for i128 {
@@ -86,13 +84,10 @@ impl Integer for i128 {
         let value = near(&[size as u64, (size >> 64) as u64]);
         if *self < 0 { value.negated() } else { value }
     }
-    fn to_limbs(&self) -> Limbs {
-        Limbs::of_i128(*self)
-    }
 }
 
 /// The natural number with these digits to the base 2^64, least first.
-fn near(digits: &[u64]) -> BallDd {
+pub(crate) fn near(digits: &[u64]) -> BallDd {
     let rest = digits.len().saturating_sub(3);
     let mut sum = BallDd::zero();
     for &digit in digits[rest..].iter().rev() {
@@ -154,67 +149,16 @@ impl<const WIDTH: usize> Digits<WIDTH> {
         result.trimmed()
     }
 
-    /// The absolute value.
-    pub(crate) fn size(&self) -> Self {
-        Self {
-            negative: false,
-            ..*self
-        }
-    }
-
-    /// Without the last `count` digits, rounded towards zero.
-    pub(crate) fn without(&self, count: usize) -> Self {
-        let mut result = Self::ZERO;
-        let kept = self.used().get(count..).unwrap_or_default();
-        result.digits[..kept.len()].copy_from_slice(kept);
-        result.len = kept.len() as u8;
-        result.negative = self.negative && result.len > 0;
-        result
-    }
-
-    /// With `count` zeros appended.
-    pub(crate) fn with_zeros(&self, count: usize) -> Option<Self> {
-        if self.len == 0 {
-            return Some(*self);
-        }
-        let len = self.used().len() + count;
-        let mut result = Self::ZERO;
-        result
-            .digits
-            .get_mut(count..len)?
-            .copy_from_slice(self.used());
-        result.len = len as u8;
-        result.negative = self.negative;
-        Some(result)
-    }
-
     #[inline]
     fn used(&self) -> &[u64] {
         &self.digits[..usize::from(self.len)]
     }
 
-    /// The same value with more room.
-    fn widened<const WIDER: usize>(&self) -> Digits<WIDER> {
-        let mut result = Digits::ZERO;
-        result.digits[..usize::from(self.len)].copy_from_slice(self.used());
-        result.len = self.len;
-        result.negative = self.negative;
-        result
-    }
-
     /// Drops leading zeros.
     fn trimmed(mut self) -> Self {
-        while self.len > 0 && self.digits[usize::from(self.len) - 1] == 0 {
-            self.len -= 1;
-        }
+        self.len = words::used(self.used()) as u8;
         self.negative &= self.len > 0;
         self
-    }
-
-    fn compare_size(&self, o: &Self) -> std::cmp::Ordering {
-        self.len
-            .cmp(&o.len)
-            .then_with(|| self.used().iter().rev().cmp(o.used().iter().rev()))
     }
 
     /// |self| + |o|, with the sign of `self`.
@@ -226,19 +170,8 @@ impl<const WIDTH: usize> Digits<WIDTH> {
         };
         let mut sum = *long;
         sum.negative = self.negative;
-        let mut carry = false;
-        let [length, least] = [long, short].map(|x| usize::from(x.len));
-        for (i, digit) in sum.digits[..length].iter_mut().enumerate() {
-            if i >= least && !carry {
-                break;
-            }
-            let other = if i < least { short.digits[i] } else { 0 };
-            let (x, a) = digit.overflowing_add(other);
-            let (x, b) = x.overflowing_add(u64::from(carry));
-            *digit = x;
-            carry = a | b;
-        }
-        if carry {
+        let length = usize::from(long.len);
+        if words::add(&mut sum.digits[..length], short.used()) {
             *sum.digits.get_mut(length)? = 1;
             sum.len = long.len + 1;
         }
@@ -249,18 +182,7 @@ impl<const WIDTH: usize> Digits<WIDTH> {
     fn sub_size(&self, o: &Self, negative: bool) -> Self {
         let mut difference = *self;
         difference.negative = negative;
-        let mut borrow = false;
-        let [length, least] = [self, o].map(|x| usize::from(x.len));
-        for (i, digit) in difference.digits[..length].iter_mut().enumerate() {
-            if i >= least && !borrow {
-                break;
-            }
-            let other = if i < least { o.digits[i] } else { 0 };
-            let (x, a) = digit.overflowing_sub(other);
-            let (x, b) = x.overflowing_sub(u64::from(borrow));
-            *digit = x;
-            borrow = a | b;
-        }
+        words::subtract(&mut difference.digits[..usize::from(self.len)], o.used());
         difference.trimmed()
     }
 
@@ -268,7 +190,7 @@ impl<const WIDTH: usize> Digits<WIDTH> {
         if self.negative == (o.negative != negate) {
             return self.add_size(o);
         }
-        Some(match self.compare_size(o) {
+        Some(match words::compare(self.used(), o.used()) {
             std::cmp::Ordering::Equal => Self::ZERO,
             std::cmp::Ordering::Greater => self.sub_size(o, self.negative),
             std::cmp::Ordering::Less => o.sub_size(self, !self.negative),
@@ -323,23 +245,13 @@ impl<const WIDTH: usize> Integer for Digits<WIDTH> {
     /// Does not fit if the factors have more digits together than there is room for: then the
     /// product fills all of them but one at least.
     fn times(&self, o: &Self) -> Option<Self> {
-        let width = usize::from(o.len);
-        if usize::from(self.len) + width > WIDTH {
+        if usize::from(self.len) + usize::from(o.len) > WIDTH {
             return None;
         }
         let mut product = Self::ZERO;
         product.len = self.len + o.len;
         product.negative = self.negative != o.negative;
-        for (i, &a) in self.used().iter().enumerate() {
-            let mut carry = 0;
-            for (digit, &b) in product.digits[i..].iter_mut().zip(o.used()) {
-                // (2^64 - 1)^2 + 2 (2^64 - 1) = 2^128 - 1.
-                let wide = u128::from(a) * u128::from(b) + u128::from(*digit) + u128::from(carry);
-                *digit = wide as u64;
-                carry = (wide >> 64) as u64;
-            }
-            product.digits[i + width] = carry;
-        }
+        words::multiply(&mut product.digits, self.used(), o.used());
         Some(product.trimmed())
     }
     fn negated(&self) -> Option<Self> {
@@ -367,8 +279,5 @@ impl<const WIDTH: usize> Integer for Digits<WIDTH> {
         } else {
             value
         }
-    }
-    fn to_limbs(&self) -> Limbs {
-        self.widened()
     }
 }

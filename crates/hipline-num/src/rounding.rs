@@ -8,7 +8,7 @@
 use crate::dyadic::{f64_to_parts, ldexp, magnitude_parts, power_of_two};
 use crate::surd::Surd;
 use crate::surd_sign::{Interval, sign_of};
-use crate::{BallDd, Number, Sign};
+use crate::{BallDd, Number, Sign, Wide};
 use dashu_int::ops::{BitTest, DivRem, UnsignedAbs};
 use dashu_int::{IBig, UBig};
 use std::cmp::Ordering;
@@ -212,7 +212,19 @@ pub fn round_ball_dd(p: &BallDd, q: &BallDd, exponent: i32) -> Option<f64> {
 /// `None` also if the result is not well inside the normal range: exact zero apart.
 #[must_use]
 pub fn round_ball_dd_plus(p: &BallDd, q: &BallDd, exponent: i32, origin: f64) -> Option<f64> {
-    let quotient = p.div(q);
+    round_near(&p.div(q), exponent, origin)
+}
+
+/// The f64 that p/q·2^exponent + origin rounds to, if 400 digits can prove it, of which double-doubles keep those
+/// that are left where others cancel.
+///
+/// `None` also if the result is not well inside the normal range: exact zero apart.
+#[must_use]
+pub fn round_wide_plus(p: &Wide, q: &Wide, exponent: i32, origin: f64) -> Option<f64> {
+    round_near(&p.div(q).to_ball_dd(), exponent, origin)
+}
+
+fn round_near(quotient: &BallDd, exponent: i32, origin: f64) -> Option<f64> {
     if quotient.value() == 0.0 && quotient.error() == 0.0 {
         return Some(origin + 0.0);
     }
@@ -227,17 +239,4 @@ pub fn round_ball_dd_plus(p: &BallDd, q: &BallDd, exponent: i32, origin: f64) ->
     };
     let normal = (power_of_two(-1000)..=power_of_two(1000)).contains(&result.abs());
     (normal || result == 0.0 && origin != 0.0).then_some(result + 0.0)
-}
-
-/// The f64 that p/q·2^exponent + origin rounds to, if double-doubles can prove it, for p and q with
-/// exponents of their own: those of exact numbers, in which what cancels has done so before
-/// (see [`Fixed::to_fine_ball_dd`](crate::Fixed::to_fine_ball_dd)).
-#[must_use]
-pub fn round_fixed_plus(
-    (p, i): (BallDd, i32),
-    (q, j): (BallDd, i32),
-    exponent: i32,
-    origin: f64,
-) -> Option<f64> {
-    round_ball_dd_plus(&p, &q, exponent + i - j, origin)
 }

@@ -1,238 +1,360 @@
 //! Floating point with some 400 binary digits and a proven error bound: the rung that tells
 //! what double-double cannot, at a small part of the cost of exact numbers.
 //!
-//! A value is within `error * 2^exponent` of `mantissa * 2^exponent`. Sums and products are
-//! computed exactly and then cut to [`DIGITS`] digits, which costs at most one unit of the
-//! last place; the bound is an f64, every step of which is rounded up by a factor of
-//! `1 + 2^-50` (each step has at most four roundings of relative size 2^-53).
+//! A value is within `error` units of a mantissa of up to [`WORDS`] digits to the base 2^64, where the unit is
+//! the one of its last digit: a power of 2^64, so that digits are never shifted by parts of a word. The leading
+//! one may be as little as 1: 385 binary digits at least are kept. Sums and products are computed
+//! exactly as far as they are kept, which costs at most one unit; quotients and roots are iterated from
+//! double-doubles, and what is left of the dividend or the radicand bounds how wrong they are. The bound is an f64, every
+//! step of which is rounded up by a factor of `1 + 2^-50` (each step has at most four
+//! roundings of relative size 2^-53).
 
-use dashu_int::{
-    IBig, UBig, Word,
-    ops::{SquareRoot, UnsignedAbs},
-};
+use dashu_int::{IBig, UBig, Word};
+use std::cmp::Ordering;
 
-use crate::{BallDd, Number, Sign, ldexp};
+use crate::{BallDd, Number, Sign, limbs::near, perfect_root, words};
 
-/// Binary digits kept.
-const DIGITS: usize = 400;
+/// Digits to the base 2^64 kept.
+const WORDS: usize = 7;
 
 /// Covers the roundings of a few operations on bounds.
 const UP: f64 = 1.0 + 1.0 / (1_u64 << 50) as f64;
 
-/// A number with 400 binary digits and a proven error bound; with error 0 it is exact.
-#[derive(Clone, Debug)]
+/// From this power of two on, a bound makes the last digit meaningless.
+const MEANINGLESS: u32 = 64 + 16;
+
+/// Steps that take an approximation of about 100 binary digits to more than are kept, each of which adds
+/// about 100.
+const STEPS: usize = 3;
+
+/// A number with some 400 binary digits and a proven error bound; with error 0 it is exact.
+#[derive(Clone, Copy)]
 pub struct Wide {
-    mantissa: IBig,
-    exponent: i64,
+    /// Least first; those not in use are zero.
+    digits: [u64; WORDS],
+    /// So many are in use, the last of them not zero.
+    len: u8,
+    negative: bool,
+    /// The unit is 2^(64 exponent).
+    exponent: i32,
+    /// In units.
     error: f64,
 }
 
-/// Binary digits of the size of an integer.
-fn bits(m: &IBig) -> usize {
-    let (_, words) = m.as_sign_words();
-    let top = words
-        .last()
-        .map_or(0, |word| Word::BITS - word.leading_zeros());
-    words.len().saturating_sub(1) * Word::BITS as usize + top as usize
-}
-
-/// The leading digits of a mantissa, and how many were left out.
-fn leading(m: &IBig) -> (f64, i32) {
-    let (_, words) = m.as_sign_words();
-    // As many words as 52 digits need, and a bit of one more.
-    let (mut head, mut left) = (0_u128, words.len());
-    while left > 0 && head >> 52 == 0 {
-        left -= 1;
-        head = head << Word::BITS | u128::from(words[left]);
+impl std::fmt::Debug for Wide {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let sign = if self.negative { "-" } else { "" };
+        let (digits, exponent) = (self.used(), self.exponent);
+        write!(f, "({sign}{digits:x?} ± {}) 2^(64·{exponent})", self.error)
     }
-    let drop = (u128::BITS - head.leading_zeros()).saturating_sub(52);
-    let cut = drop as usize + left * Word::BITS as usize;
-    #[expect(clippy::cast_precision_loss, reason = "at most 52 digits are exact")]
-    (
-        (head >> drop) as f64,
-        i32::try_from(cut).expect("mantissas are short"),
-    )
 }
 
-/// An exponent of which `ldexp` makes nothing else than of the full one.
-fn power(digits: impl TryInto<i32>) -> i32 {
-    digits.try_into().unwrap_or(i32::MAX)
+/// 2^(64 words), or what is above it where f64 has no such number.
+fn power(words: i32) -> f64 {
+    match words {
+        16.. => f64::INFINITY,
+        -15..=15 => f64::from_bits(((1023 + 64 * words) as u64) << 52),
+        _ => f64::MIN_POSITIVE,
+    }
 }
 
-/// An upper bound of the size of a mantissa.
-fn size(m: &IBig) -> f64 {
-    let (top, cut) = leading(m);
-    // Below 2^52, the sum is exact; so is the scaling.
-    if cut == 0 { top } else { ldexp(top + 1.0, cut) }
+/// A bound in units of another size.
+fn scaled(error: f64, words: i32) -> f64 {
+    if error > 0.0 && words != 0 {
+        (error * power(words) * UP).max(f64::MIN_POSITIVE)
+    } else {
+        error
+    }
 }
 
-/// A lower bound of the size of a mantissa.
-fn least(m: &IBig) -> f64 {
-    let (top, cut) = leading(m);
-    ldexp(top, cut)
+/// The leading 53 binary digits of a number without leading zeros, and how many were left out.
+fn leading(digits: &[u64]) -> (f64, u32) {
+    let (head, left) = match *digits {
+        [] => (0, 0),
+        [only] => (u128::from(only), 0),
+        [.., low, high] => (
+            u128::from(high) << 64 | u128::from(low),
+            digits.len() as u32 - 2,
+        ),
+    };
+    let drop = (u128::BITS - head.leading_zeros()).saturating_sub(53);
+    #[expect(clippy::cast_precision_loss, reason = "at most 53 digits are exact")]
+    ((head >> drop) as f64, drop + 64 * left)
+}
+
+/// 2^k for k that is not large.
+fn two_to_the(k: u32) -> f64 {
+    f64::from_bits(u64::from(1023 + k) << 52)
 }
 
 impl Wide {
     /// The value of an integer.
     #[must_use]
     pub fn from_int(i: &IBig) -> Self {
-        Self {
-            mantissa: i.clone(),
-            exponent: 0,
-            error: 0.0,
+        let (sign, words) = i.as_sign_words();
+        let negative = sign == dashu_int::Sign::Negative;
+        if Word::BITS == 64 && words.len() <= WORDS {
+            let mut digits = [0; WORDS];
+            for (digit, &word) in digits.iter_mut().zip(words) {
+                #[allow(clippy::useless_conversion, reason = "the width depends on the target")]
+                let word = u64::from(word);
+                *digit = word;
+            }
+            return Self::kept(&digits, negative, 0, 0.0);
         }
-        .cut()
+        let step = Word::BITS as usize;
+        let mut digits = vec![0; (words.len() * step).div_ceil(64)];
+        for (k, &word) in words.iter().enumerate() {
+            #[allow(clippy::useless_conversion, reason = "the width depends on the target")]
+            let word = u64::from(word);
+            digits[k * step / 64] |= word << (k * step % 64);
+        }
+        Self::kept(&digits, negative, 0, 0.0)
     }
 
     /// The root of a natural number.
     #[must_use]
     pub fn sqrt_of(r: &UBig) -> Self {
-        Self::from_int(&IBig::from(r.clone())).sqrt()
-    }
-
-    /// Keeps the leading digits.
-    fn cut(mut self) -> Self {
-        let length = bits(&self.mantissa);
-        // A bound far larger than one unit makes the last digits meaningless.
-        if length > DIGITS {
-            let drop = length - DIGITS;
-            // Shifting rounds down: at most one unit.
-            self.mantissa >>= drop;
-            self.exponent += i64::try_from(drop).expect("short");
-            self.error = (ldexp(self.error, -power(drop)) + 1.0) * UP;
+        match perfect_root(r) {
+            Some(root) => Self::from_int(&IBig::from(root)),
+            None => Self::from_int(&IBig::from(r.clone())).sqrt(),
         }
-        self
     }
 
-    /// This value with the given, smaller exponent.
-    fn lowered(&self, exponent: i64) -> (IBig, f64) {
-        let by =
-            usize::try_from(self.exponent - exponent).expect("an exponent not above this one's");
-        (&self.mantissa << by, ldexp(self.error, power(by)) * UP)
+    /// A number of which nothing is known.
+    pub const ANY: Self = Self {
+        digits: [0; WORDS],
+        len: 0,
+        negative: false,
+        exponent: 0,
+        error: f64::INFINITY,
+    };
+
+    #[inline]
+    fn used(&self) -> &[u64] {
+        &self.digits[..usize::from(self.len)]
     }
 
-    fn sum(&self, o: &Self, negate: bool) -> Self {
-        // Far apart, the smaller one is no more than an error.
-        let exponent = self.exponent.min(o.exponent);
-        let spread = (self.exponent - o.exponent).abs();
-        if spread > 900 && self.mantissa != IBig::ZERO && o.mantissa != IBig::ZERO {
-            let (large, small, sign) = if self.exponent > o.exponent {
-                (self, o, false)
-            } else {
-                (o, self, negate)
-            };
-            let lost = ldexp(size(&small.mantissa) + small.error, -power(spread));
-            return Self {
-                mantissa: if sign {
-                    -&large.mantissa
-                } else {
-                    large.mantissa.clone()
-                },
-                exponent: large.exponent,
-                error: (large.error + lost + f64::MIN_POSITIVE) * UP,
-            };
-        }
-        let (a, e) = if self.mantissa == IBig::ZERO && self.error <= 0.0 {
-            (IBig::ZERO, 0.0)
-        } else {
-            self.lowered(exponent)
-        };
-        let (b, f) = if o.mantissa == IBig::ZERO && o.error <= 0.0 {
-            (IBig::ZERO, 0.0)
-        } else {
-            o.lowered(exponent)
-        };
-        let mantissa = if negate { a - b } else { a + b };
+    /// Whether it is zero for sure.
+    fn is_zero(&self) -> bool {
+        self.len == 0 && self.error <= 0.0
+    }
+
+    /// The middle, as if it were exact.
+    fn middle(&self) -> Self {
         Self {
-            mantissa,
-            exponent,
-            error: (e + f) * UP,
+            error: 0.0,
+            ..*self
         }
-        .cut()
+    }
+
+    /// Keeps the leading digits, as far as they mean something.
+    #[inline]
+    fn kept(digits: &[u64], negative: bool, exponent: i32, error: f64) -> Self {
+        let len = words::used(digits);
+        let mut drop = len.saturating_sub(WORDS);
+        // A NaN is as good as infinity.
+        if error.is_nan() || error >= two_to_the(MEANINGLESS) {
+            if !error.is_finite() {
+                return Self::ANY;
+            }
+            let binary = (error.to_bits() >> 52) as u32 - 1023;
+            drop = drop.max((binary - 16) as usize / 64).min(len);
+        }
+        let mut result = Self {
+            digits: [0; WORDS],
+            len: (len - drop) as u8,
+            negative: negative && len > drop,
+            exponent: exponent + drop as i32,
+            error,
+        };
+        result.digits[..len - drop].copy_from_slice(&digits[drop..len]);
+        if drop > 0 && (error > 0.0 || digits[..drop].iter().any(|&digit| digit != 0)) {
+            result.error = (scaled(error, -(drop as i32)) + 1.0) * UP;
+        }
+        result
+    }
+
+    /// An upper bound of the size of the mantissa.
+    fn size(&self) -> f64 {
+        let (top, cut) = leading(self.used());
+        if cut == 0 {
+            top
+        } else {
+            // The sum is at most 2^53: exact, and so is the product.
+            (top + 1.0) * two_to_the(cut)
+        }
+    }
+
+    /// A lower bound of the size of the mantissa.
+    fn least(&self) -> f64 {
+        let (top, cut) = leading(self.used());
+        top * two_to_the(cut)
+    }
+
+    /// Adds the digits of a number to zeros that begin at a unit; returns the error of this in such units.
+    #[inline]
+    fn lay(&self, window: &mut [u64], unit: i32) -> f64 {
+        let error = scaled(self.error, self.exponent - unit);
+        let below = usize::try_from(unit - self.exponent).unwrap_or(0);
+        let above = usize::try_from(self.exponent - unit).unwrap_or(0);
+        let kept = self.used().get(below..).unwrap_or_default();
+        if !kept.is_empty() {
+            window[above..above + kept.len()].copy_from_slice(kept);
+        }
+        let lost = &self.used()[..below.min(self.used().len())];
+        if lost.iter().any(|&digit| digit != 0) {
+            (error + 1.0) * UP
+        } else {
+            error
+        }
+    }
+
+    #[inline]
+    fn sum(&self, o: &Self, negate: bool) -> Self {
+        if o.is_zero() {
+            return *self;
+        }
+        if self.is_zero() {
+            return if negate { o.negated() } else { *o };
+        }
+        // Room for all digits that can be kept, and one that is carried.
+        let top = (self.exponent + i32::from(self.len)).max(o.exponent + i32::from(o.len));
+        let unit = self.exponent.min(o.exponent).max(top - WORDS as i32);
+        let (mut a, mut b) = ([0; WORDS + 1], [0; WORDS + 1]);
+        let error = (self.lay(&mut a, unit) + o.lay(&mut b, unit)) * UP;
+        let minus = o.negative != negate;
+        if self.negative == minus {
+            words::add(&mut a, &b);
+            return Self::kept(&a, minus, unit, error);
+        }
+        let (m, n) = (words::used(&a), words::used(&b));
+        match words::compare(&a[..m], &b[..n]) {
+            Ordering::Equal => Self::kept(&[], false, unit, error),
+            Ordering::Greater => {
+                words::subtract(&mut a[..m], &b[..n]);
+                Self::kept(&a[..m], self.negative, unit, error)
+            }
+            Ordering::Less => {
+                words::subtract(&mut b[..n], &a[..m]);
+                Self::kept(&b[..n], minus, unit, error)
+            }
+        }
+    }
+
+    /// The value of an f64.
+    fn from_f64(x: f64) -> Self {
+        if x == 0.0 || !x.is_finite() {
+            return Self::zero();
+        }
+        let (bits, sign) = (x.abs().to_bits(), x < 0.0);
+        let (mantissa, exponent) = match (bits >> 52) as i32 {
+            0 => (bits, -1074),
+            biased => (bits & ((1 << 52) - 1) | 1 << 52, biased - 1075),
+        };
+        let wide = u128::from(mantissa) << exponent.rem_euclid(64);
+        let digits = [wide as u64, (wide >> 64) as u64];
+        Self::kept(&digits, sign, exponent.div_euclid(64), 0.0)
+    }
+
+    /// About the same as a double-double times 2^(64 k), as if it were exact.
+    fn from_near(near: &BallDd, k: i32) -> Self {
+        let sum = Self::from_f64(near.value()).plus(&Self::from_f64(near.low()));
+        Self {
+            exponent: sum.exponent + k,
+            ..sum.middle()
+        }
+    }
+
+    /// A double-double and k such that the mantissa's middle is the former times 2^(64 k), nearly.
+    fn near(&self) -> (BallDd, i32) {
+        let rest = usize::from(self.len).saturating_sub(3);
+        let near = near(&self.used()[rest..]);
+        let k = self.exponent + rest as i32;
+        (if self.negative { near.negated() } else { near }, k)
     }
 
     /// The quotient; the bound is infinite if the divisor may be zero.
     #[must_use]
     pub fn div(&self, o: &Self) -> Self {
-        let unknown = Self {
-            mantissa: IBig::ZERO,
-            exponent: 0,
-            error: f64::INFINITY,
-        };
         // A lower bound of the divisor's size less its error, rounded down.
-        let least = (least(&o.mantissa) - o.error * UP) / UP;
-        if o.mantissa == IBig::ZERO || least.is_nan() || least <= 0.0 {
-            return unknown;
+        let least = (o.least() - o.error * UP) / UP;
+        if o.len == 0 || least.is_nan() || least <= 0.0 {
+            return Self::ANY;
         }
-        let up = (DIGITS + bits(&o.mantissa)).saturating_sub(bits(&self.mantissa));
-        let mantissa = (&self.mantissa << up) / &o.mantissa;
-        // |q'| = |(n + dn) / (m + dm)|, so |q' - q| <= (dn + |q| dm) / (|m| - dm), and the
-        // integer division rounds by less than one.
-        let error =
-            (ldexp(self.error, power(up)) + size(&mantissa) * o.error) / least * UP * UP + 1.0;
+        let (near, k) = o.near();
+        let inverse = Self::from_near(&BallDd::from_f64(1.0).div(&near), -k);
+        let (n, d) = (self.middle(), o.middle());
+        let mut quotient = n.times(&inverse).middle();
+        let mut rest = n.minus(&quotient.times(&d));
+        for _ in 0..STEPS {
+            if rest.is_zero() {
+                break;
+            }
+            quotient = quotient.plus(&rest.times(&inverse)).middle();
+            rest = n.minus(&quotient.times(&d));
+        }
+        // (n + dn) / (d + dd) - q = (n - q d + dn - q dd) / (d + dd)
+        let unit = o.exponent + quotient.exponent;
+        let rest = scaled(rest.size() + rest.error, rest.exponent - unit);
+        let own = scaled(self.error, self.exponent - unit);
+        let error = (rest + own + quotient.size() * o.error) * UP / least * UP;
         Self {
-            mantissa,
-            exponent: self.exponent - o.exponent - up as i64,
-            error: error * UP,
+            error: if error.is_nan() { f64::INFINITY } else { error },
+            ..quotient
         }
-        .cut()
     }
 
     /// The root of a quantity that is not negative.
     #[must_use]
     pub fn sqrt(&self) -> Self {
-        if self.mantissa <= IBig::ZERO {
-            let high = (size(&self.mantissa) + self.error) * UP;
+        if self.negative || self.len == 0 {
+            let high = (self.size() + self.error) * UP;
             if high <= 0.0 {
                 return Self::zero();
             }
-            // The root of something between 0 and high.
+            // The root of something between 0 and high; an odd exponent has another 2^32.
             let odd = self.exponent.rem_euclid(2);
             #[expect(clippy::disallowed_methods, reason = "rounded up")]
-            let root = (high * if odd == 1 { 2.0 } else { 1.0 }).sqrt() * UP;
-            return Self {
-                mantissa: IBig::ZERO,
-                exponent: (self.exponent - odd) / 2,
-                error: root,
-            };
+            let root = high.sqrt() * UP * if odd == 1 { two_to_the(32) } else { 1.0 };
+            let exponent = (self.exponent - odd) / 2;
+            return Self::kept(&[], false, exponent, root);
         }
-        let length = bits(&self.mantissa);
-        let mut up = (2 * DIGITS).saturating_sub(length);
-        if (self.exponent - up as i64).rem_euclid(2) != 0 {
-            up += 1;
+        let (near, k) = self.near();
+        let odd = k.rem_euclid(2);
+        let near = near.ldexp(64 * odd).sqrt();
+        let half = (k - odd) / 2;
+        let inverse = Self::from_near(&BallDd::from_f64(0.5).div(&near), -half);
+        let square = self.middle();
+        let mut root = Self::from_near(&near, half);
+        let mut rest = square.minus(&root.times(&root));
+        for _ in 0..STEPS {
+            if rest.is_zero() {
+                break;
+            }
+            root = root.plus(&rest.times(&inverse)).middle();
+            rest = square.minus(&root.times(&root));
         }
-        let radicand = (&self.mantissa << up).unsigned_abs();
-        let root = radicand.sqrt();
-        let exact = self.error <= 0.0 && &root * &root == radicand;
-        let mantissa = IBig::from(root);
-        let scaled = ldexp(self.error, power(up));
-        // |sqrt(a + d) - sqrt(a)| <= |d| / sqrt(a) for a + d >= 0, and sqrt(a) >= root.
-        let error = if exact {
-            0.0
-        } else {
-            (scaled / least(&mantissa) * UP + 1.0) * UP
-        };
+        // |sqrt(s + ds) - r| <= |s - r r + ds| / r, for r > 0 and s + ds >= 0.
+        let unit = 2 * root.exponent;
+        let rest = scaled(rest.size() + rest.error, rest.exponent - unit);
+        let own = scaled(self.error, self.exponent - unit);
+        let error = (rest + own) * UP / root.least() * UP;
         Self {
-            mantissa,
-            exponent: (self.exponent - up as i64) / 2,
-            error,
+            error: if error.is_nan() { f64::INFINITY } else { error },
+            ..root
         }
-        .cut()
     }
 
     /// The same as a double-double.
     #[must_use]
     pub fn to_ball_dd(&self) -> BallDd {
-        let drop = bits(&self.mantissa).saturating_sub(100);
-        let mut error = ldexp(self.error, -power(drop));
-        // Shifting rounds down: at most one unit.
-        if drop > 0 {
-            error = (error + 1.0) * UP;
-        }
-        let exponent = i32::try_from(self.exponent + drop as i64).unwrap_or(i32::MAX);
-        BallDd::from_int(&(&self.mantissa >> drop))
-            .plus(&BallDd::new(0.0, 0.0, error))
-            .ldexp(exponent)
+        let (near, k) = self.near();
+        let error = scaled(self.error, self.exponent - k);
+        // `near` has its own error; of what it leaves out the last digit is less than one unit of its own.
+        let lost = if k > self.exponent { 1.0 } else { 0.0 };
+        near.plus(&BallDd::new(0.0, 0.0, (error + lost) * UP))
+            .ldexp(k.saturating_mul(64))
     }
 
     /// Whether the bound is finite.
@@ -245,57 +367,60 @@ impl Wide {
 impl Number for Wide {
     fn zero() -> Self {
         Self {
-            mantissa: IBig::ZERO,
-            exponent: 0,
             error: 0.0,
+            ..Self::ANY
         }
     }
     fn from_i64(i: i64) -> Self {
-        Self {
-            mantissa: IBig::from(i),
-            exponent: 0,
-            error: 0.0,
-        }
+        Self::kept(&[i.unsigned_abs()], i < 0, 0, 0.0)
     }
+    #[inline]
     fn plus(&self, o: &Self) -> Self {
         self.sum(o, false)
     }
+    #[inline]
     fn minus(&self, o: &Self) -> Self {
         self.sum(o, true)
     }
+    #[inline]
     fn times(&self, o: &Self) -> Self {
+        let exponent = self.exponent + o.exponent;
         let error = if self.error <= 0.0 && o.error <= 0.0 {
             0.0
         } else {
-            let (a, b) = (size(&self.mantissa), size(&o.mantissa));
+            let (a, b) = (self.size(), o.size());
             (a * o.error + b * self.error + self.error * o.error) * UP
         };
-        Self {
-            mantissa: &self.mantissa * &o.mantissa,
-            exponent: self.exponent + o.exponent,
-            error: if error.is_nan() { f64::INFINITY } else { error },
+        let mut product = [0; 2 * WORDS];
+        let len = usize::from(self.len + o.len);
+        if self.len > 0 && o.len > 0 {
+            words::multiply(&mut product, self.used(), o.used());
         }
-        .cut()
+        let negative = self.negative != o.negative;
+        Self::kept(&product[..len], negative, exponent, error)
     }
     fn negated(&self) -> Self {
         Self {
-            mantissa: -&self.mantissa,
-            exponent: self.exponent,
-            error: self.error,
+            negative: !self.negative && self.len > 0,
+            ..*self
         }
     }
+    #[inline]
     fn sign(&self) -> Option<Sign> {
-        if self.error <= 0.0 {
-            return Some(Sign::from(self.mantissa.cmp(&IBig::ZERO)));
-        }
-        (least(&self.mantissa) > self.error).then(|| Sign::from(self.mantissa.cmp(&IBig::ZERO)))
+        let sign = match (self.len, self.negative) {
+            (0, _) => Sign::Zero,
+            (_, true) => Sign::Negative,
+            (_, false) => Sign::Positive,
+        };
+        (self.error <= 0.0 || self.least() > self.error).then_some(sign)
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::Surd;
+    use crate::{Surd, f64_to_parts, ldexp};
+    use dashu_int::ops::UnsignedAbs;
 
     fn random(state: &mut u64) -> i64 {
         *state ^= *state << 13;
@@ -341,9 +466,9 @@ mod tests {
             for odd in [1, 3, (1_i64 << 52) - 1, (1 << 52) + 1, i64::MAX] {
                 let m = IBig::from(-odd) << shift;
                 let length = 64 - odd.leading_zeros() as usize + shift;
-                assert_eq!(bits(&m), length, "{odd} << {shift}");
-                let (top, cut) = leading(&m);
-                assert_eq!(cut, length as i32 - 52.min(length as i32));
+                let wide = Wide::from_int(&m);
+                let (top, cut) = leading(wide.used());
+                assert_eq!(cut as usize, length - 53.min(length), "{odd} << {shift}");
                 assert_eq!(
                     IBig::from(top as i64),
                     -m >> cut as usize,
@@ -351,7 +476,7 @@ mod tests {
                 );
             }
         }
-        assert_eq!((bits(&IBig::ZERO), leading(&IBig::ZERO)), (0, (0.0, 0)));
+        assert_eq!(leading(&[]), (0.0, 0));
     }
 
     #[test]
@@ -399,5 +524,123 @@ mod tests {
             );
         }
         assert!(!Wide::from_i64(1).div(&Wide::zero()).is_bounded());
+    }
+
+    /// A random integer of up to so many binary digits, and a sum of two such times roots.
+    fn sums(state: &mut u64, bits: usize) -> (Wide, Surd) {
+        let mut integer = || {
+            let mut i = IBig::ZERO;
+            for _ in 0..bits.div_ceil(60) {
+                i = (i << 60) + random(state);
+            }
+            i >> (random(state).unsigned_abs() as usize % bits)
+        };
+        let [a, b, c] = [integer(), integer(), integer()];
+        let [r, s] = [integer(), integer()].map(|i| i.unsigned_abs());
+        let wide = Wide::from_int(&b).times(&Wide::sqrt_of(&r));
+        let wide = wide.plus(&Wide::from_int(&c).times(&Wide::sqrt_of(&s)));
+        let surd = Surd::from_int(b).times(&Surd::sqrt_of(&r));
+        let surd = surd.plus(&Surd::from_int(c).times(&Surd::sqrt_of(&s)));
+        let (wide, surd) = (
+            wide.plus(&Wide::from_int(&a)),
+            surd.plus(&Surd::from_int(a)),
+        );
+        (wide, surd)
+    }
+
+    #[test]
+    fn quotients_round_as_exact_ones_do() {
+        let seed = 0x5eed_0000_0000_0007;
+        println!("seed {seed:#x}");
+        let mut state = seed;
+        let (mut told, mut cancelled) = (0, 0);
+        for round in 0..4000 {
+            let bits = [20, 60, 130, 500][round % 4];
+            let ((p, x), (q, y)) = (sums(&mut state, bits), sums(&mut state, bits));
+            // Every other time most of the digits cancel: p q / q - p + 1 / p.
+            let (n, m) = if round % 8 < 4 {
+                (p, x)
+            } else {
+                cancelled += 1;
+                let (p2, x2) = (p.times(&p).times(&q), x.times(&x).times(&y));
+                let by = p.times(&q);
+                (
+                    p2.minus(&by.times(&p)).plus(&q),
+                    x2.minus(&x.times(&y).times(&x)).plus(&y),
+                )
+            };
+            if y.exact_sign().is_zero() {
+                continue;
+            }
+            if let Some(found) = crate::round_wide_plus(&n, &q, -3, 0.5) {
+                let expected = crate::round_quotient_plus(&m, &y, -3, 0.5);
+                assert_eq!(found.to_bits(), expected.to_bits(), "round {round}");
+                told += 1;
+            }
+        }
+        assert!(
+            told > 3000 && cancelled > 1500,
+            "{told} of 4000 were told, {cancelled} cancelled"
+        );
+    }
+
+    #[test]
+    fn bounds_hold_whatever_the_digits() {
+        // With all digits one, every cut and every carry is the worst.
+        let seed = 0xb0bd_5eed;
+        println!("seed {seed:#x}");
+        let mut state: u64 = seed;
+        for round in 0..4000 {
+            let mut number = || {
+                let bits = 1 + random(&mut state).unsigned_abs() as usize % 900;
+                let low = random(&mut state).unsigned_abs() as usize % bits;
+                let i = (IBig::ONE << bits) - (IBig::ONE << low) + random(&mut state) % 3;
+                if round % 2 == 0 { i } else { -i }
+            };
+            let [a, b, c] = [number(), number(), number()];
+            let [x, y, z] = [&a, &b, &c].map(Wide::from_int);
+            let near = x.times(&y).plus(&z.times(&z)).minus(&y.times(&z));
+            let exact = &a * &b + &c * &c - &b * &c;
+            assert!(holds(&near, &exact, &IBig::ONE), "round {round}");
+            assert!(holds(&near.div(&x), &exact, &a), "round {round}");
+            let square = Wide::from_int(&(&a * &a));
+            let size = IBig::from(a.unsigned_abs());
+            assert!(holds(&square.sqrt(), &size, &IBig::ONE), "round {round}");
+        }
+    }
+
+    /// Whether a / b is within the bound of a number: (mantissa - error) b <= a / unit <= (mantissa + error) b.
+    fn holds(near: &Wide, a: &IBig, b: &IBig) -> bool {
+        let mut mantissa = IBig::ZERO;
+        for &digit in near.used().iter().rev() {
+            mantissa = (mantissa << 64) + digit;
+        }
+        if near.negative {
+            mantissa = -mantissa;
+        }
+        if near.error > 1e30 {
+            return true;
+        }
+        // In units of 2^-1100, in which every f64 is an integer.
+        let fine = 1100;
+        let (error, exponent) = f64_to_parts(near.error);
+        let error = error << (exponent + fine) as usize;
+        let fine = fine as usize;
+        let (a, b) = if *b < IBig::ZERO {
+            (-a, -b)
+        } else {
+            (a.clone(), b.clone())
+        };
+        let (mut left, mut right) = ((mantissa << fine) * &b, a << fine);
+        let shift = 64 * near.exponent.unsigned_abs() as usize;
+        if near.exponent >= 0 {
+            left <<= shift;
+            let off = (left - right).unsigned_abs();
+            IBig::from(off) <= error * b << shift
+        } else {
+            right <<= shift;
+            let off = (left - right).unsigned_abs();
+            IBig::from(off) <= error * b
+        }
     }
 }

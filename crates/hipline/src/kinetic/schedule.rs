@@ -3,7 +3,6 @@
 use std::{
     cell::{Cell, LazyCell, OnceCell, RefCell},
     cmp::Ordering,
-    collections::BTreeMap,
 };
 
 use super::{
@@ -33,66 +32,95 @@ pub(super) fn meeting_moment(planes: &Planes, u: &Trace, v: &Trace) -> Option<[P
 /// What is known of a moment besides its bounds.
 #[derive(Clone, Copy, Debug)]
 struct Closer {
-    fine: Fine,
+    /// In double-double.
+    fine: Option<BallDd>,
     /// Its number among the sets of equal ones, if it has one.
     class: u32,
+    /// Its number among those that are known in 400 digits, if it is.
+    wide: u32,
 }
+
+const NONE: u32 = u32::MAX;
 
 impl Default for Closer {
     fn default() -> Self {
         Self {
-            fine: Fine::Unknown,
-            class: NO_CLASS,
+            fine: None,
+            class: NONE,
+            wide: NONE,
         }
     }
 }
 
-/// A moment in double-double.
-#[derive(Clone, Copy, Debug)]
-enum Fine {
-    Unknown,
-    First(BallDd),
-    /// As close as it gets.
-    Last(BallDd),
-}
-
 /// A moment in few bytes: three planes, or the place of its triangle's corners among the roots.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 struct Short([PlaneId; 3]);
 
 impl Short {
     const START: Self = Self([NO_PLANE; 3]);
 
     /// The place among the roots, if it is one.
-    fn root(self) -> Option<usize> {
-        (self.0[0] == NO_PLANE && self.0[1] != NO_PLANE).then_some(self.0[1].0 as usize)
+    fn root(self) -> Option<u32> {
+        (self.0[0] == NO_PLANE && self.0[1] != NO_PLANE).then_some(self.0[1].0)
     }
 }
 
 const NO_PLANE: PlaneId = PlaneId(u32::MAX);
+
+/// What few triangles have, by numbers that are used again.
+#[derive(Debug)]
+struct Store<T> {
+    all: Vec<T>,
+    unused: Vec<u32>,
+}
+
+impl<T> Default for Store<T> {
+    fn default() -> Self {
+        Self {
+            all: Vec::new(),
+            unused: Vec::new(),
+        }
+    }
+}
+
+impl<T> Store<T> {
+    fn add(&mut self, value: T) -> u32 {
+        let number = self.unused.pop().unwrap_or(self.all.len() as u32);
+        match self.all.get_mut(number as usize) {
+            Some(old) => *old = value,
+            None => self.all.push(value),
+        }
+        number
+    }
+
+    fn remove(&mut self, number: u32) {
+        self.unused.push(number);
+    }
+
+    fn get(&self, number: u32) -> &T {
+        &self.all[number as usize]
+    }
+}
 
 /// The moments of the queued triangles, with what has been found out about their order.
 #[derive(Debug, Default)]
 pub(super) struct Agenda {
     moments: Vec<Short>,
     /// The corners of triangles that collapse at roots, which are few.
-    roots: Vec<[Corner; 3]>,
-    /// Which of those are out of use.
-    unused: Vec<u32>,
+    roots: Store<[Corner; 3]>,
     /// What is known besides, of figures in which bounds do not always decide.
     closer: OnceCell<Vec<Cell<Closer>>>,
     /// Moments of one of these sets are known to be equal.
     equal: RefCell<Sets>,
-    /// The moments in 400 digits, found when first asked for.
-    wide: RefCell<BTreeMap<TriangleId, Option<Wide>>>,
+    /// Moments in 400 digits, of those that double-double does not tell apart.
+    wide: RefCell<Store<Wide>>,
 }
 
 impl Agenda {
     pub(super) fn new(triangles: usize) -> Self {
         Self {
             moments: vec![Short::START; triangles],
-            roots: Vec::new(),
-            unused: Vec::new(),
+            roots: Store::default(),
             closer: OnceCell::new(),
             equal: RefCell::default(),
             wide: RefCell::default(),
@@ -102,7 +130,7 @@ impl Agenda {
     pub(super) fn moment(&self, t: TriangleId) -> Moment {
         let short = self.moments[t.index()];
         match short.root() {
-            Some(i) => Moment::Root(self.roots[i]),
+            Some(i) => Moment::Root(*self.roots.get(i)),
             None if short.0[0] == NO_PLANE => Moment::Start,
             None => Moment::Planes(short.0),
         }
@@ -111,26 +139,21 @@ impl Agenda {
     pub(super) fn set(&mut self, t: TriangleId, moment: Moment) {
         let i = t.index();
         if let Some(root) = self.moments[i].root() {
-            self.unused.push(root as u32);
+            self.roots.remove(root);
         }
         self.moments[i] = match moment {
             Moment::Start => Short::START,
             Moment::Planes(triple) => Short(triple),
             Moment::Root(corners) => {
-                let root = self.unused.pop().unwrap_or(self.roots.len() as u32);
-                match self.roots.get_mut(root as usize) {
-                    Some(old) => *old = corners,
-                    None => self.roots.push(corners),
-                }
+                let root = self.roots.add(corners);
                 Short([NO_PLANE, PlaneId(root), NO_PLANE])
             }
         };
         if let Some(closer) = self.closer.get() {
-            closer[i].set(Closer::default());
-        }
-        let wide = self.wide.get_mut();
-        if !wide.is_empty() {
-            wide.remove(&t);
+            let known = closer[i].take();
+            if known.wide != NONE {
+                self.wide.get_mut().remove(known.wide);
+            }
         }
     }
 
@@ -150,34 +173,17 @@ impl Agenda {
     }
 
     fn fine(&self, planes: &Planes, t: TriangleId) -> BallDd {
-        match self.closer(t).fine {
-            Fine::First(value) | Fine::Last(value) => value,
-            Fine::Unknown => {
-                let value = planes.fine(&self.moment(t));
-                self.change(t, |closer| closer.fine = Fine::First(value));
-                value
-            }
-        }
-    }
-
-    /// The same to the last digits of a double-double, if that is to be had.
-    fn finer(&self, planes: &Planes, t: TriangleId) -> BallDd {
-        if let Fine::Last(value) = self.closer(t).fine {
-            return value;
-        }
-        let value = match self.moment(t) {
-            Moment::Planes(triple) => planes.finer_meeting(triple),
-            _ => None,
-        };
-        let value = value.unwrap_or_else(|| self.fine(planes, t));
-        self.change(t, |closer| closer.fine = Fine::Last(value));
-        value
+        self.closer(t).fine.unwrap_or_else(|| {
+            let value = planes.fine(&self.moment(t));
+            self.change(t, |closer| closer.fine = Some(value));
+            value
+        })
     }
 
     /// The set of moments equal to this one, if any was found to be.
     fn class(&self, t: TriangleId) -> Option<u32> {
         let class = self.closer(t).class;
-        (class != NO_CLASS).then(|| self.equal.borrow_mut().root(class as usize) as u32)
+        (class != NONE).then(|| self.equal.borrow_mut().root(class as usize) as u32)
     }
 
     fn unite(&self, a: TriangleId, b: TriangleId) {
@@ -192,19 +198,23 @@ impl Agenda {
         }
     }
 
-    /// The order of two moments in 400 digits, if it can be told apart from equality.
-    fn compare_wide(&self, planes: &Planes, a: TriangleId, b: TriangleId) -> Option<Ordering> {
-        let mut wide = self.wide.borrow_mut();
-        for t in [a, b] {
-            wide.entry(t)
-                .or_insert_with(|| planes.wide(&self.moment(t)));
+    fn wide(&self, planes: &Planes, t: TriangleId) -> Wide {
+        let number = self.closer(t).wide;
+        if number != NONE {
+            return *self.wide.borrow().get(number);
         }
-        let difference = wide[&a].as_ref()?.minus(wide[&b].as_ref()?);
-        difference.sign().map(Sign::ordering)
+        let value = planes.wide(&self.moment(t));
+        let number = self.wide.borrow_mut().add(value);
+        self.change(t, |closer| closer.wide = number);
+        value
     }
 
     /// The exact order of two queued triangles whose bounds do not decide it.
     pub(super) fn compare(&self, planes: &Planes, a: TriangleId, b: TriangleId) -> Ordering {
+        // What collapses with one wavefront edge has one moment by its definition.
+        if self.moments[a.index()] == self.moments[b.index()] {
+            return Ordering::Equal;
+        }
         let difference = self.fine(planes, a).minus(&self.fine(planes, b));
         if let Some(sign) = difference.sign() {
             return sign.ordering();
@@ -213,16 +223,14 @@ impl Agenda {
         if class.is_some() && class == self.class(b) {
             return Ordering::Equal;
         }
-        let difference = self.finer(planes, a).minus(&self.finer(planes, b));
-        if let Some(sign) = difference.sign() {
-            return sign.ordering();
-        }
         let [p, q] = [a, b].map(|t| self.moment(t));
         let fixed = || planes.compare_fixed(&p, &q);
-        let wide = || self.compare_wide(planes, a, b);
-        // Roots are found once in 400 digits; their polynomials have many terms.
-        let small = matches!((p, q), (Moment::Planes(_), Moment::Planes(_))) || planes.is_on_grid();
-        let order = if small {
+        let wide = || {
+            let difference = self.wide(planes, a).minus(&self.wide(planes, b));
+            difference.sign().map(Sign::ordering)
+        };
+        // On a grid, what is as close as this is equal.
+        let order = if planes.is_on_grid() {
             fixed().or_else(wide)
         } else {
             wide().or_else(fixed)
@@ -234,8 +242,6 @@ impl Agenda {
         order
     }
 }
-
-const NO_CLASS: u32 = u32::MAX;
 
 impl Kinetic<'_> {
     /// Finds the next collapse of a triangle and sets it in the queue.

@@ -1,9 +1,13 @@
 //! The ladder: a question is asked of one kind of numbers after the other, until one answers.
 
-use hipline_num::{Ball, BallDd, Fixed, Limbs, Rough, Rungs, Short, Sign, Surd, Wide};
+use hipline_num::{
+    Ball, BallDd, Fixed, Limbs, Number, Rough, Rungs, Short, Sign, Surd, Whole, Wide,
+};
 
-use super::fixed::Kept;
-use super::planes::{Planes, Rung};
+use super::{
+    fixed::Kept,
+    planes::{Planes, Rung},
+};
 
 impl Planes {
     /// Asks one rung after the other until one answers.
@@ -36,30 +40,17 @@ impl Planes {
         } else if let Some(sign) = question.ask::<BallDd>(self) {
             rungs.by_double_double += 1;
             sign
-        } else if let Some((sign, exact)) = self.ask_further(question) {
-            if exact {
-                rungs.by_exact += 1;
-            } else {
-                rungs.by_wide += 1;
-            }
+        } else if let Some(sign) = question.ask::<Wide>(self) {
+            rungs.by_wide += 1;
             sign
         } else {
             rungs.by_exact += 1;
-            question.ask_exactly(self)
+            let exactly = || question.ask_exactly::<Surd>(self);
+            let sign = self.ask_in_limbs(question).or_else(exactly);
+            sign.expect("exact numbers know their sign")
         };
         self.rungs.set(rungs);
         sign
-    }
-
-    /// The answer of exact numbers of a fixed width or of 400 digits, and whether it is the former's.
-    fn ask_further<Q: Question>(&self, question: &Q) -> Option<(Sign, bool)> {
-        let fixed = || self.ask_in_limbs(question).map(|sign| (sign, true));
-        let wide = || question.ask::<Wide>(self).map(|sign| (sign, false));
-        if question.is_steep() {
-            wide().or_else(fixed)
-        } else {
-            fixed().or_else(wide)
-        }
     }
 
     /// Whether coordinates are so small that many polynomials in them fit machine integers.
@@ -70,8 +61,10 @@ impl Planes {
     /// The answer in machine integers, where these are likely to hold it. There, what f64 cannot
     /// tell is nearly always zero, which double-double cannot tell either.
     fn ask_on_grid<Q: Question>(&self, question: &Q) -> Option<Sign> {
-        if self.grid {
-            question.ask_fixed::<i128>(self)
+        if self.whole {
+            question.ask_exactly::<Whole>(self)
+        } else if self.grid {
+            question.ask_exactly::<Fixed<i128>>(self)
         } else {
             None
         }
@@ -79,7 +72,17 @@ impl Planes {
 
     /// The answer in integers of 448 or 1024 binary digits, if they hold it.
     fn ask_in_limbs<Q: Question>(&self, question: &Q) -> Option<Sign> {
-        (question.ask_fixed::<Short>(self)).or_else(|| question.ask_fixed::<Limbs>(self))
+        (question.ask_exactly::<Fixed<Short>>(self))
+            .or_else(|| question.ask_exactly::<Fixed<Limbs>>(self))
+    }
+
+    /// The answer in the least exact numbers that are likely to hold it.
+    pub(super) fn ask_shortly<Q: Question>(&self, question: &Q) -> Option<Sign> {
+        if self.grid {
+            self.ask_on_grid(question)
+        } else {
+            question.ask_exactly::<Fixed<Short>>(self)
+        }
     }
 
     /// The answer in exact numbers of a fixed width, if they hold it; it is counted.
@@ -99,19 +102,40 @@ pub(crate) trait Question {
     /// The answer in the numbers of one rung, or `None` where it abstains.
     fn ask<T: Rung>(&self, planes: &Planes) -> Option<Sign>;
 
-    /// Whether exact numbers have so many terms that 400 digits are cheaper.
-    fn is_steep(&self) -> bool {
-        false
+    /// The answer in exact numbers.
+    fn ask_exactly<T: Exact>(&self, planes: &Planes) -> Option<Sign> {
+        self.ask::<T>(planes)
     }
+}
 
-    /// The answer in exact numbers of a fixed width.
-    fn ask_fixed<I: Kept>(&self, planes: &Planes) -> Option<Sign> {
-        self.ask::<Fixed<I>>(planes)
+/// The rungs of exact numbers.
+pub(crate) trait Exact: Rung {
+    /// The sign of a + b·√delta, where delta is not negative.
+    fn sign_with_root(a: &Self, b: &Self, delta: &Self) -> Option<Sign>;
+
+    /// Whether two numbers are known to be one.
+    fn is_same(&self, o: &Self) -> bool {
+        self.minus(o).sign().is_some_and(Sign::is_zero)
     }
+}
 
-    /// The answer in exact numbers, which never abstain.
-    fn ask_exactly(&self, planes: &Planes) -> Sign {
-        self.ask::<Surd>(planes)
-            .expect("exact numbers know their sign")
+impl Exact for Whole {
+    fn sign_with_root(a: &Self, b: &Self, delta: &Self) -> Option<Sign> {
+        Self::sign_with_root(a, b, delta)
+    }
+}
+
+impl<I: Kept> Exact for Fixed<I> {
+    fn sign_with_root(a: &Self, b: &Self, delta: &Self) -> Option<Sign> {
+        Self::sign_with_root(a, b, delta)
+    }
+    fn is_same(&self, o: &Self) -> bool {
+        self.minus(o).is_zero()
+    }
+}
+
+impl Exact for Surd {
+    fn sign_with_root(a: &Self, b: &Self, delta: &Self) -> Option<Sign> {
+        Some(Self::sign_with_root(a, b, delta))
     }
 }

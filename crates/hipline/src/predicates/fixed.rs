@@ -5,7 +5,7 @@
 //! with coefficients. Figures of equal parts have few different lengths.
 
 use dashu_int::{IBig, UBig, ops::UnsignedAbs};
-use hipline_num::{BallDd, Fixed, Integer, Limbs, Number, Radicals, Short, perfect_root};
+use hipline_num::{Fixed, Integer, Limbs, Radicals, Short, perfect_root};
 use std::cell::RefCell;
 use std::rc::Rc;
 
@@ -155,7 +155,7 @@ impl<I: Integer> Bare<I> {
 
 /// `N` and `D` of three planes, in one go: neither products of roots nor sums of such are in them.
 fn met<I: Kept>(planes: &Planes, triple: [PlaneId; 3]) -> Option<(Fixed<I>, Fixed<I>)> {
-    let count = 2 * planes.lines.len();
+    let count = planes.lines.len();
     let [i, j, k] = triple.map(|id| I::known(planes).get(id.0, count, || Bare::new(planes, id)));
     let (i, j, k) = (i?, j?, k?);
     let (jk, ki, ij) = (j.minor(&k)?, k.minor(&i)?, i.minor(&j)?);
@@ -171,17 +171,6 @@ fn met<I: Kept>(planes: &Planes, triple: [PlaneId; 3]) -> Option<(Fixed<I>, Fixe
         Fixed::from_integer(Some(n)),
         Fixed::sum_of_roots(parts, &planes.lengths.radicals),
     ))
-}
-
-impl Planes {
-    /// The moment when three planes meet, to nearly all digits of a double-double, if integers
-    /// of 448 binary digits hold it.
-    pub(crate) fn finer_meeting(&self, triple: [PlaneId; 3]) -> Option<BallDd> {
-        let (n, d) = met::<Short>(self, triple)?;
-        let ((n, i), (d, j)) = (n.to_ball_dd()?, d.to_fine_ball_dd()?);
-        let unit = self.time_unit - self.rough_time_unit();
-        Some(n.negated().div(&d).ldexp(i - j + unit))
-    }
 }
 
 impl<I: Kept> Rung for Fixed<I> {

@@ -1,9 +1,12 @@
-//! What was found out about lines lately, where finding it is dear and it takes much room.
+//! What was found out about things lately, where finding it is dear, or it takes much room.
 
 use std::cell::RefCell;
 
-/// Answers about as many lines or planes are kept.
+/// As many answers are kept, where there are so many.
 const PLACES: usize = 1 << 8;
+
+/// Of large figures, about one in so many is kept.
+const EVERY: usize = 1 << 4;
 
 /// The last answers: for each number its place, where others come, too.
 #[derive(Debug)]
@@ -16,9 +19,10 @@ impl<T> Default for Memo<T> {
 }
 
 impl<T: Clone> Memo<T> {
-    /// What is known of a number among so many, or else is found.
+    /// What is known of a number, or else is found. The count, which is always the same, tells how many to expect.
     pub(super) fn get(&self, number: u32, count: usize, find: impl FnOnce() -> T) -> T {
-        let place = number as usize % PLACES;
+        let places = (count / EVERY).next_power_of_two().max(PLACES);
+        let place = number as usize % places;
         if let Some(Some((of, known))) = self.0.borrow().get(place)
             && *of == number
         {
@@ -27,7 +31,7 @@ impl<T: Clone> Memo<T> {
         let found = find();
         let mut all = self.0.borrow_mut();
         if all.len() <= place {
-            all.resize(count.clamp(place + 1, PLACES), None);
+            all.resize(count.clamp(place + 1, places), None);
         }
         all[place] = Some((number, found.clone()));
         found

@@ -4,12 +4,11 @@
 //! vertices happen at the root of a quadratic. Every question about a moment is the sign
 //! of a polynomial in time, of degree two at most, at that moment.
 
-use hipline_num::{Ball, BallDd, Fixed, Number, Rough, Sign, Surd, Wide};
+use hipline_num::{Ball, BallDd, Number, Rough, Sign, Wide};
 use std::cmp::Ordering;
 
-use super::fixed::Kept;
 use super::{
-    decide::Question,
+    decide::{Exact, Question},
     expression::{
         Corner, Path, Quadratic, area, area_at, curvature, difference, differences, lead, meeting,
     },
@@ -159,38 +158,44 @@ impl<C: Curve> Question for SignAt<'_, C> {
         }
     }
 
-    fn is_steep(&self) -> bool {
-        matches!(self.0, Moment::Root(_))
-    }
-
-    fn ask_fixed<I: Kept>(&self, planes: &Planes) -> Option<Sign> {
+    fn ask_exactly<T: Exact>(&self, planes: &Planes) -> Option<Sign> {
         let Moment::Root(corners) = self.0 else {
-            return match self.1.shortly::<Fixed<I>>(planes, self.0) {
+            return match self.1.shortly::<T>(planes, self.0) {
                 Some(value) => value.sign(),
-                None => self.ask::<Fixed<I>>(planes),
+                None => self.ask::<T>(planes),
             };
         };
-        let f = self.1.coefficients::<Fixed<I>>(planes)?;
-        let g = area::<Fixed<I>>(planes, *corners);
+        let f = self.1.coefficients::<T>(planes)?;
+        let g = area::<T>(planes, *corners);
         match at_root(&f, &g)? {
             AtRoot::Value(value) => value.sign(),
-            AtRoot::Sum(a, b, delta) => Fixed::sign_with_root(&a, &b, &delta),
+            AtRoot::Sum(a, b, delta) => T::sign_with_root(&a, &b, &delta),
         }
     }
+}
 
-    fn ask_exactly(&self, planes: &Planes) -> Sign {
-        let sign = || {
-            let Moment::Root(corners) = self.0 else {
-                return self.ask::<Surd>(planes);
-            };
-            let f = self.1.coefficients::<Surd>(planes)?;
-            let g = area::<Surd>(planes, *corners);
-            match at_root(&f, &g)? {
-                AtRoot::Value(value) => value.sign(),
-                AtRoot::Sum(a, b, delta) => Some(Surd::sign_with_root(&a, &b, &delta)),
+/// Whether two moments are the same function of equal numbers, which is seen at little cost: so are those of parts that
+/// are mirror images of each other.
+struct Alike<'a>(&'a Moment, &'a Moment);
+
+impl Question for Alike<'_> {
+    fn ask<T: Rung>(&self, _: &Planes) -> Option<Sign> {
+        None
+    }
+
+    fn ask_exactly<T: Exact>(&self, planes: &Planes) -> Option<Sign> {
+        let alike = match (self.0, self.1) {
+            (Moment::Planes(a), Moment::Planes(b)) => {
+                let [(n, d), (p, q)] = [a, b].map(|triple| meeting::<T>(planes, *triple));
+                n.is_same(&p) && d.is_same(&q) || n.is_same(&p.negated()) && d.is_same(&q.negated())
             }
+            (Moment::Root(a), Moment::Root(b)) => {
+                let [f, g] = [a, b].map(|corners| area::<T>(planes, *corners));
+                f.iter().zip(&g).all(|(x, y)| x.is_same(y))
+            }
+            _ => false,
         };
-        sign().expect("exact numbers know their sign")
+        alike.then_some(Sign::Zero)
     }
 }
 
@@ -285,14 +290,16 @@ impl Planes {
     }
 
     /// A moment that exists, in 400 digits.
-    pub(crate) fn wide(&self, moment: &Moment) -> Option<Wide> {
+    pub(crate) fn wide(&self, moment: &Moment) -> Wide {
         match moment {
-            Moment::Start => Some(Wide::zero()),
+            Moment::Start => Wide::zero(),
             Moment::Planes(triple) => {
                 let (n, d) = meeting::<Wide>(self, *triple);
-                Some(n.negated().div(&d))
+                n.negated().div(&d)
             }
-            Moment::Root(corners) => wide_root::falling_root(&area(self, *corners)),
+            Moment::Root(corners) => {
+                wide_root::falling_root(&area(self, *corners)).unwrap_or(Wide::ANY)
+            }
         }
     }
 
@@ -359,6 +366,9 @@ impl Planes {
     ///
     /// Both must exist, and lie where neither root's triangle has been flipped yet.
     pub(crate) fn compare_fixed(&self, a: &Moment, b: &Moment) -> Option<Ordering> {
+        if self.ask_shortly(&Alike(a, b)).is_some() {
+            return Some(Ordering::Equal);
+        }
         match (a, b) {
             (Moment::Root(_), Moment::Planes(_)) => self.compare_fixed(b, a).map(Ordering::reverse),
             (_, Moment::Planes(triple)) => self

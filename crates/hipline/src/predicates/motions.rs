@@ -129,6 +129,7 @@ impl Planes {
             lines: Vec::with_capacity(points.len()),
             lengths: Lengths::default(),
             grid: bits <= GRID && speed_bits <= GRID,
+            whole: false,
             roughs: Vec::with_capacity(points.len()),
             doubles: Vec::with_capacity(points.len()),
             speeds: Some(Speeds {

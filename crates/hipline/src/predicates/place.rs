@@ -1,12 +1,11 @@
 //! Places of nodes: their definitions, their order along an edge, their rounded coordinates.
 
 use hipline_num::{
-    BallDd, Fixed, Limbs, Number, Sign, Surd, compare_quotient_f64, in_units, power_of_two,
-    round_ball_dd_plus, round_fixed_plus, round_quotient_plus,
+    BallDd, Number, Sign, Surd, Wide, compare_quotient_f64, in_units, power_of_two,
+    round_ball_dd_plus, round_quotient_plus, round_wide_plus,
 };
 use std::cmp::Ordering;
 
-use super::fixed::Kept;
 use super::{
     decide::Question,
     expression::{Path, meeting},
@@ -386,11 +385,12 @@ impl Planes {
         if let [Some(x), Some(y), Some(t)] = fast {
             return [x, y, t];
         }
-        let fast = if self.is_on_grid() {
-            self.round_fixed::<i128>(place, fast)
-        } else {
-            self.round_fixed::<Limbs>(place, fast)
-        };
+        let wide = point::<Wide>(self, place);
+        let fast = [
+            fast[0].or_else(|| round_wide_plus(&wide.x, &wide.w, self.unit, self.origin[0])),
+            fast[1].or_else(|| round_wide_plus(&wide.y, &wide.w, self.unit, self.origin[1])),
+            fast[2].or_else(|| round_wide_plus(&wide.time, &wide.since, self.time_unit, 0.0)),
+        ];
         if let [Some(x), Some(y), Some(t)] = fast {
             return [x, y, t];
         }
@@ -405,26 +405,6 @@ impl Planes {
             fast[2].unwrap_or_else(|| {
                 round_quotient_plus(&exact.time, &exact.since, self.time_unit, 0.0)
             }),
-        ]
-    }
-
-    /// What is missing of `x`, `y` and time of a place, from double-doubles of exact numbers.
-    fn round_fixed<I: Kept>(&self, place: &Place, found: [Option<f64>; 3]) -> [Option<f64>; 3] {
-        let Point {
-            x,
-            y,
-            w,
-            time,
-            since,
-        } = point::<Fixed<I>>(self, place);
-        let [u, v] = self.origin;
-        let quotient = |p: &Fixed<I>, q: &Fixed<I>, unit: i32, origin: f64| {
-            round_fixed_plus(p.to_fine_ball_dd()?, q.to_fine_ball_dd()?, unit, origin)
-        };
-        [
-            found[0].or_else(|| quotient(&x, &w, self.unit, u)),
-            found[1].or_else(|| quotient(&y, &w, self.unit, v)),
-            found[2].or_else(|| quotient(&time, &since, self.time_unit, 0.0)),
         ]
     }
 

@@ -8,7 +8,7 @@
 
 use dashu_int::IBig;
 use hipline_num::{
-    Ball, BallDd, Number, Rough, Rungs, Sign, Surd, Wide, common_unit, f64_to_parts,
+    Ball, BallDd, Number, Rough, Rungs, Sign, Surd, Whole, Wide, common_unit, f64_to_parts,
 };
 use std::cell::Cell;
 
@@ -89,6 +89,8 @@ pub(crate) struct Planes {
     pub(super) lengths: Lengths,
     /// Whether coordinates are so small that many polynomials in them fit machine integers.
     pub(super) grid: bool,
+    /// Whether the length of every normal is an integer, too.
+    pub(super) whole: bool,
     /// See [`rough::line`].
     pub(super) roughs: Vec<[f64; 4]>,
     pub(super) doubles: Vec<[BallDd; 4]>,
@@ -260,6 +262,34 @@ pub(super) fn exact_time(planes: &Planes, time: f64) -> [IBig; 2] {
     [mantissa * power(shift), power(-shift)]
 }
 
+impl Rung for Whole {
+    const HAS_ROOTS: bool = false;
+
+    fn line(planes: &Planes, line: usize) -> [Self; 4] {
+        let (Line::Small { a, b, c }, Some(near)) = (&planes.lines[line], planes.doubles.get(line))
+        else {
+            return [Self(None); 4];
+        };
+        // Without an error it is this integer; coordinates on a grid have no shift.
+        let length = near[3];
+        #[expect(clippy::cast_possible_truncation, reason = "an integer below 2^53")]
+        let length = (length.error() <= 0.0).then(|| length.value() as i128);
+        [Some((*a).into()), Some((*b).into()), Some(*c), length].map(Self)
+    }
+    fn tilted(_: &Planes, _: usize, _: &Tilted) -> Plane<Self> {
+        tabled(&[Self(None); 4])
+    }
+    fn integer(value: &IBig, _shift: i32) -> Self {
+        Self(i128::try_from(value).ok())
+    }
+    fn time(planes: &Planes, time: f64) -> [Self; 2] {
+        exact_time(planes, time).map(|i| Self(i128::try_from(&i).ok()))
+    }
+    fn falling_root(_: &Quadratic<Self>) -> Option<Self> {
+        None
+    }
+}
+
 impl Rung for Wide {
     fn tilted(_: &Planes, _: usize, tilted: &Tilted) -> Plane<Self> {
         tilted.wide(Self::sqrt_of)
@@ -368,6 +398,7 @@ impl Planes {
             lines: Vec::with_capacity(lines),
             lengths: Lengths::default(),
             grid: bits <= GRID,
+            whole: false,
             roughs: Vec::with_capacity(lines),
             doubles: Vec::with_capacity(lines),
             speeds: None,
@@ -412,6 +443,7 @@ impl Planes {
                 planes.push_big(&q[0] - &p[0], &q[1] - &p[1], &q);
             }
         }
+        planes.whole = planes.grid && planes.doubles.iter().all(|near| near[3].error() <= 0.0);
         planes.set_speeds(figure, terminals, speed_unit);
         planes
     }
