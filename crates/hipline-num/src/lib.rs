@@ -7,7 +7,7 @@
 //! | rung | type | when it cannot tell |
 //! | --- | --- | --- |
 //! | f64 with a proven error bound | [`Ball`] | abstains |
-//! | machine integers, where no root is needed | [`Whole`] | abstains |
+//! | machine integers with one root | [`Binomial`] | abstains |
 //! | double-double with a proven error bound | [`BallDd`] | abstains |
 //! | 400 digits with a proven error bound | [`Wide`] | abstains |
 //! | integers of up to 1024 digits and square roots | [`Fixed`] | abstains |
@@ -23,6 +23,7 @@
 
 mod ball;
 mod ball_dd;
+mod binomial;
 mod dyadic;
 mod fixed;
 mod length;
@@ -35,12 +36,13 @@ mod sign;
 mod square;
 mod surd;
 mod surd_sign;
-mod whole;
+
 mod wide;
 mod words;
 
 pub use ball::Ball;
 pub use ball_dd::BallDd;
+pub use binomial::Binomial;
 pub use dyadic::{
     common_unit, exponent, f64_to_parts, ilog2, in_units, ldexp, odd_parts, power_of_two,
 };
@@ -57,7 +59,7 @@ pub use rungs::Rungs;
 pub use sign::Sign;
 pub use square::perfect_root;
 pub use surd::Surd;
-pub use whole::Whole;
+
 pub use wide::Wide;
 
 /// Re-exported so that callers name the same integers.

@@ -112,6 +112,13 @@ impl Wide {
         Self::kept(&digits, negative, 0, 0.0)
     }
 
+    /// The value of a machine integer.
+    #[must_use]
+    pub fn from_i128(i: i128) -> Self {
+        let size = i.unsigned_abs();
+        Self::kept(&[size as u64, (size >> 64) as u64], i < 0, 0, 0.0)
+    }
+
     /// The root of a natural number.
     #[must_use]
     pub fn sqrt_of(r: &UBig) -> Self {
@@ -636,7 +643,7 @@ mod tests {
         if near.exponent >= 0 {
             left <<= shift;
             let off = (left - right).unsigned_abs();
-            IBig::from(off) <= error * b << shift
+            IBig::from(off) <= (error * b) << shift
         } else {
             right <<= shift;
             let off = (left - right).unsigned_abs();

@@ -14,7 +14,7 @@ impl Planes {
         debug_assert!(self.is_unweighted());
         let mut keys: Vec<([IBig; 3], u32)> = Vec::with_capacity(2 * self.lines.len());
         for number in 0..self.lines.len() as u32 {
-            let left = self.integers(number as usize);
+            let left = self.integers(number as usize).into_owned();
             let right = left.each_ref().map(|x| -x);
             keys.push((left, 2 * number));
             keys.push((right, 2 * number + 1));

@@ -1,7 +1,7 @@
 //! The ladder: a question is asked of one kind of numbers after the other, until one answers.
 
 use hipline_num::{
-    Ball, BallDd, Fixed, Limbs, Number, Rough, Rungs, Short, Sign, Surd, Whole, Wide,
+    Ball, BallDd, Binomial, Fixed, Limbs, Number, Rough, Rungs, Short, Sign, Surd, Wide,
 };
 
 use super::{
@@ -61,8 +61,8 @@ impl Planes {
     /// The answer in machine integers, where these are likely to hold it. There, what f64 cannot
     /// tell is nearly always zero, which double-double cannot tell either.
     fn ask_on_grid<Q: Question>(&self, question: &Q) -> Option<Sign> {
-        if self.whole {
-            question.ask_exactly::<Whole>(self)
+        if self.has_one_root() {
+            question.ask_exactly::<Binomial>(self)
         } else if self.grid {
             question.ask_exactly::<Fixed<i128>>(self)
         } else {
@@ -119,7 +119,7 @@ pub(crate) trait Exact: Rung {
     }
 }
 
-impl Exact for Whole {
+impl Exact for Binomial {
     fn sign_with_root(a: &Self, b: &Self, delta: &Self) -> Option<Sign> {
         Self::sign_with_root(a, b, delta)
     }

@@ -4,7 +4,7 @@
 //! integers cancel. Lengths are numbered when they are first asked for, so that a sum of roots is a list of numbers
 //! with coefficients. Figures of equal parts have few different lengths.
 
-use dashu_int::{IBig, UBig, ops::UnsignedAbs};
+use dashu_int::{IBig, UBig};
 use hipline_num::{Fixed, Integer, Limbs, Radicals, Short, perfect_root};
 use std::cell::RefCell;
 use std::rc::Rc;
@@ -61,9 +61,7 @@ impl Lengths {
             of_line.resize(planes.lines.len(), 0);
         }
         if of_line[line] == 0 {
-            let [a, b, _] = planes.integers(line);
-            let square = (&a * &a + &b * &b).unsigned_abs();
-            of_line[line] = self.find(&square);
+            of_line[line] = self.find(&planes.square(line));
         }
         self.found.borrow()[of_line[line] as usize - 1]
     }
@@ -155,7 +153,8 @@ impl<I: Integer> Bare<I> {
 
 /// `N` and `D` of three planes, in one go: neither products of roots nor sums of such are in them.
 fn met<I: Kept>(planes: &Planes, triple: [PlaneId; 3]) -> Option<(Fixed<I>, Fixed<I>)> {
-    let count = planes.lines.len();
+    // Long integers take much room.
+    let count = [2 * planes.lines.len(), 32];
     let [i, j, k] = triple.map(|id| I::known(planes).get(id.0, count, || Bare::new(planes, id)));
     let (i, j, k) = (i?, j?, k?);
     let (jk, ki, ij) = (j.minor(&k)?, k.minor(&i)?, i.minor(&j)?);

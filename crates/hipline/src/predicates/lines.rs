@@ -2,7 +2,7 @@
 
 use dashu_int::{IBig, UBig, ops::Gcd, ops::UnsignedAbs};
 use hipline_num::{BallDd, Limbs, Number, Short, Wide, in_units, ldexp, perfect_root};
-use std::cell::OnceCell;
+use std::{borrow::Cow, cell::OnceCell};
 
 use super::{
     eaves::Tilted,
@@ -39,8 +39,8 @@ pub(super) struct Known {
     pub(super) small: Memo<Option<Bare<i128>>>,
     pub(super) short: Memo<Option<Bare<Short>>>,
     pub(super) long: Memo<Option<Bare<Limbs>>>,
-    /// `[a, b, c, length of the normal]`.
-    pub(super) wide: Memo<[Wide; 4]>,
+    /// Lengths of normals.
+    pub(super) wide: Memo<Wide>,
 }
 
 /// With up to so many binary digits dropped, differences of coordinates and their products neither overflow nor underflow in
@@ -52,10 +52,10 @@ const CLOSE: f64 = 1.0 / (1_u64 << 60) as f64 / (1_u64 << 30) as f64;
 
 impl Planes {
     /// `a`, `b`, `c` of a line.
-    pub(super) fn integers(&self, line: usize) -> [IBig; 3] {
+    pub(super) fn integers(&self, line: usize) -> Cow<'_, [IBig; 3]> {
         match &self.lines[line] {
-            Line::Small { a, b, c } => [IBig::from(*a), IBig::from(*b), IBig::from(*c)],
-            Line::Big(abc) => (**abc).clone(),
+            Line::Small { a, b, c } => Cow::Owned([IBig::from(*a), IBig::from(*b), IBig::from(*c)]),
+            Line::Big(abc) => Cow::Borrowed(&**abc),
             Line::Between(ends) => {
                 let all = || vec![OnceCell::new(); self.lines.len()];
                 let known = &self.known.integers.get_or_init(all)[line];
@@ -63,9 +63,9 @@ impl Planes {
                     let [p, q] = ends.map(|end| self.point(end));
                     Box::new(reduced(&p[1] - &q[1], &q[0] - &p[0], &p))
                 };
-                (**known.get_or_init(find)).clone()
+                Cow::Borrowed(&**known.get_or_init(find))
             }
-            Line::Level(c) => [IBig::ZERO, IBig::ZERO, c.clone()],
+            Line::Level(c) => Cow::Owned([IBig::ZERO, IBig::ZERO, c.clone()]),
             Line::Tilted(_) => unreachable!("tilted planes have no line"),
         }
     }
@@ -75,8 +75,8 @@ impl Planes {
         if let Line::Level(_) = self.lines[line] {
             return UBig::ONE;
         }
-        let [a, b, _] = self.integers(line);
-        (&a * &a + &b * &b).unsigned_abs()
+        let [a, b, _] = &*self.integers(line);
+        (a * a + b * b).unsigned_abs()
     }
 
     /// A point of the input in units, from the origin.

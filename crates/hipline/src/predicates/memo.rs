@@ -2,11 +2,8 @@
 
 use std::cell::RefCell;
 
-/// As many answers are kept, where there are so many.
+/// As many answers are kept at least, where there are so many.
 const PLACES: usize = 1 << 8;
-
-/// Of large figures, about one in so many is kept.
-const EVERY: usize = 1 << 4;
 
 /// The last answers: for each number its place, where others come, too.
 #[derive(Debug)]
@@ -19,9 +16,15 @@ impl<T> Default for Memo<T> {
 }
 
 impl<T: Clone> Memo<T> {
-    /// What is known of a number, or else is found. The count, which is always the same, tells how many to expect.
-    pub(super) fn get(&self, number: u32, count: usize, find: impl FnOnce() -> T) -> T {
-        let places = (count / EVERY).next_power_of_two().max(PLACES);
+    /// What is known of a number among so many, or else is found. About one answer in `every` is kept; count and
+    /// `every` are always the same.
+    pub(super) fn get(
+        &self,
+        number: u32,
+        [count, every]: [usize; 2],
+        find: impl FnOnce() -> T,
+    ) -> T {
+        let places = (count / every).next_power_of_two().max(PLACES);
         let place = number as usize % places;
         if let Some(Some((of, known))) = self.0.borrow().get(place)
             && *of == number

@@ -10,7 +10,7 @@ use dashu_int::{
     ops::{BitTest, UnsignedAbs},
 };
 use hipline_num::{common_unit, in_units};
-use std::cell::Cell;
+use std::cell::{Cell, OnceCell};
 
 use super::{
     fixed::Lengths,
@@ -129,7 +129,7 @@ impl Planes {
             lines: Vec::with_capacity(points.len()),
             lengths: Lengths::default(),
             grid: bits <= GRID && speed_bits <= GRID,
-            whole: false,
+            one_root: OnceCell::new(),
             roughs: Vec::with_capacity(points.len()),
             doubles: Vec::with_capacity(points.len()),
             speeds: Some(Speeds {

@@ -8,9 +8,9 @@
 
 use dashu_int::IBig;
 use hipline_num::{
-    Ball, BallDd, Number, Rough, Rungs, Sign, Surd, Whole, Wide, common_unit, f64_to_parts,
+    Ball, BallDd, Binomial, Number, Rough, Rungs, Sign, Surd, Wide, common_unit, f64_to_parts,
 };
-use std::cell::Cell;
+use std::cell::{Cell, OnceCell};
 
 use super::grid::small_in_units;
 use super::lines::{Known, Line};
@@ -89,8 +89,8 @@ pub(crate) struct Planes {
     pub(super) lengths: Lengths,
     /// Whether coordinates are so small that many polynomials in them fit machine integers.
     pub(super) grid: bool,
-    /// Whether the length of every normal is an integer, too.
-    pub(super) whole: bool,
+    /// See [`Planes::has_one_root`].
+    pub(super) one_root: OnceCell<bool>,
     /// See [`rough::line`].
     pub(super) roughs: Vec<[f64; 4]>,
     pub(super) doubles: Vec<[BallDd; 4]>,
@@ -262,28 +262,41 @@ pub(super) fn exact_time(planes: &Planes, time: f64) -> [IBig; 2] {
     [mantissa * power(shift), power(-shift)]
 }
 
-impl Rung for Whole {
+/// The square of the length of a normal, if it is small.
+fn small_square(a: i64, b: i64) -> Option<u64> {
+    let square = |x: i64| x.unsigned_abs().checked_mul(x.unsigned_abs());
+    square(a)?.checked_add(square(b)?)
+}
+
+impl Rung for Binomial {
     const HAS_ROOTS: bool = false;
 
     fn line(planes: &Planes, line: usize) -> [Self; 4] {
-        let (Line::Small { a, b, c }, Some(near)) = (&planes.lines[line], planes.doubles.get(line))
-        else {
-            return [Self(None); 4];
+        let Line::Small { a, b, c } = &planes.lines[line] else {
+            return [Self::UNKNOWN; 4];
         };
         // Without an error it is this integer; coordinates on a grid have no shift.
-        let length = near[3];
+        let near = &planes.doubles[line][3];
         #[expect(clippy::cast_possible_truncation, reason = "an integer below 2^53")]
-        let length = (length.error() <= 0.0).then(|| length.value() as i128);
-        [Some((*a).into()), Some((*b).into()), Some(*c), length].map(Self)
+        let length = if near.error() <= 0.0 {
+            Self::whole(near.value() as i128)
+        } else {
+            match small_square(*a, *b) {
+                Some(square) => Self::root_of(square),
+                None => Self::UNKNOWN,
+            }
+        };
+        let [a, b, c] = [(*a).into(), (*b).into(), *c].map(Self::whole);
+        [a, b, c, length]
     }
     fn tilted(_: &Planes, _: usize, _: &Tilted) -> Plane<Self> {
-        tabled(&[Self(None); 4])
+        tabled(&[Self::UNKNOWN; 4])
     }
     fn integer(value: &IBig, _shift: i32) -> Self {
-        Self(i128::try_from(value).ok())
+        i128::try_from(value).map_or(Self::UNKNOWN, Self::whole)
     }
     fn time(planes: &Planes, time: f64) -> [Self; 2] {
-        exact_time(planes, time).map(|i| Self(i128::try_from(&i).ok()))
+        exact_time(planes, time).map(|i| Self::integer(&i, 0))
     }
     fn falling_root(_: &Quadratic<Self>) -> Option<Self> {
         None
@@ -298,18 +311,14 @@ impl Rung for Wide {
         wide_root::falling_root(g)
     }
     fn line(planes: &Planes, line: usize) -> [Self; 4] {
-        let find = || {
-            let [a, b, c] = planes.integers(line);
-            let square = planes.square(line);
-            [
-                Self::from_int(&a),
-                Self::from_int(&b),
-                Self::from_int(&c),
-                Self::sqrt_of(&square),
-            ]
+        let length = || Self::sqrt_of(&planes.square(line));
+        let count = [planes.lines.len(), 4];
+        let length = planes.known.wide.get(line as u32, count, length);
+        let [a, b, c] = match &planes.lines[line] {
+            Line::Small { a, b, c } => [(*a).into(), (*b).into(), *c].map(Self::from_i128),
+            _ => planes.integers(line).each_ref().map(Self::from_int),
         };
-        let wide = &planes.known.wide;
-        wide.get(line as u32, planes.lines.len(), find)
+        [a, b, c, length]
     }
     fn integer(value: &IBig, _shift: i32) -> Self {
         Self::from_int(value)
@@ -331,7 +340,7 @@ impl Rung for Surd {
         None
     }
     fn line(planes: &Planes, line: usize) -> [Self; 4] {
-        let [a, b, c] = planes.integers(line);
+        let [a, b, c] = planes.integers(line).into_owned();
         let square = planes.square(line);
         [
             Self::from_int(a),
@@ -398,7 +407,7 @@ impl Planes {
             lines: Vec::with_capacity(lines),
             lengths: Lengths::default(),
             grid: bits <= GRID,
-            whole: false,
+            one_root: OnceCell::new(),
             roughs: Vec::with_capacity(lines),
             doubles: Vec::with_capacity(lines),
             speeds: None,
@@ -443,7 +452,6 @@ impl Planes {
                 planes.push_big(&q[0] - &p[0], &q[1] - &p[1], &q);
             }
         }
-        planes.whole = planes.grid && planes.doubles.iter().all(|near| near[3].error() <= 0.0);
         planes.set_speeds(figure, terminals, speed_unit);
         planes
     }
@@ -463,13 +471,29 @@ impl Planes {
         if !self.turn(i, j).is_zero() {
             return false;
         }
-        let [a, b, c] = self.integers((i.0 >> 1) as usize);
-        let [d, e, f] = self.integers((j.0 >> 1) as usize);
+        let [a, b, c] = self.integers((i.0 >> 1) as usize).into_owned();
+        let [d, e, f] = self.integers((j.0 >> 1) as usize).into_owned();
         if i.0 & 1 == j.0 & 1 {
             a == d && b == e && c == f
         } else {
             a == -d && b == -e && c == -f
         }
+    }
+
+    /// Whether coordinates are small and the lengths of all normals are integers, or the root of the same integer.
+    pub(super) fn has_one_root(&self) -> bool {
+        let has_one = || {
+            let mut one = None;
+            (self.lines.iter().zip(&self.doubles)).all(|(line, near)| match line {
+                _ if near[3].error() <= 0.0 => true,
+                Line::Small { a, b, .. } => {
+                    let square = small_square(*a, *b);
+                    square.is_some() && *one.get_or_insert(square) == square
+                }
+                _ => false,
+            })
+        };
+        self.grid && *self.one_root.get_or_init(has_one)
     }
 
     /// The sign of the turn from one plane to another, where the numbers of both lines are small.
