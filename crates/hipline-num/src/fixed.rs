@@ -2,7 +2,7 @@
 //! memory of its own, where the numbers are not too large.
 //!
 //! The lengths of a figure are numbered once ([`Radicals`]): equal radicands have one number. A
-//! value is a sum of integers times products of up to four *different* roots. As a polynomial in
+//! value is a sum of integers times products of up to six *different* roots. As a polynomial in
 //! the roots it is reduced: the square of a root is an integer.
 //!
 //! A value without terms is zero. The converse holds for sums of single roots from
@@ -35,18 +35,19 @@ struct Radical {
 }
 
 impl Radicals {
-    /// The number of a radicand, which is not a perfect square.
-    pub fn number(&self, radicand: UBig) -> u32 {
+    /// The number of a radicand, which is not a perfect square; `None` if there are too many.
+    pub fn number(&self, radicand: UBig) -> Option<u32> {
         let mut table = self.0.borrow_mut();
         if let Some(&number) = table.numbers.get(&radicand) {
-            return number;
+            return Some(number);
         }
+        let number = u32::try_from(table.values.len() + 1).ok();
+        let number = number.filter(|number| number >> DIGITS == 0)?;
         let value = IBig::from(radicand.clone());
         let root = BallDd::from_int(&value).sqrt();
         table.values.push(Radical { value, root });
-        let number = u32::try_from(table.values.len()).expect("fewer than 2^32 radicands");
         table.numbers.insert(radicand, number);
-        number
+        Some(number)
     }
 
     fn square<I: Integer>(&self, number: u32) -> Option<I> {
@@ -58,15 +59,34 @@ impl Radicals {
     }
 }
 
-/// A product of up to four different roots: their numbers, descending from the highest 32 bits on; 0 where
+/// A product of up to six different roots: their numbers, descending from the highest digits on; 0 where
 /// there are no more.
 type Product = u128;
+
+/// Binary digits of the number of a root.
+const DIGITS: u32 = 21;
+
+/// As many numbers have room.
+const FACTORS: u32 = u128::BITS / DIGITS;
+
+/// Where the first number is.
+const FIRST: u32 = (FACTORS - 1) * DIGITS;
+
+/// The first number of a product.
+fn first(p: Product) -> u32 {
+    (p >> FIRST) as u32
+}
+
+/// The product without its first number.
+fn rest(p: Product) -> Product {
+    (p << DIGITS) & (Product::MAX >> (u128::BITS - FACTORS * DIGITS))
+}
 
 /// The numbers of a product.
 fn factors(mut p: Product) -> impl Iterator<Item = u32> {
     std::iter::from_fn(move || {
-        let next = (p >> 96) as u32;
-        p <<= 32;
+        let next = first(p);
+        p = rest(p);
         (next != 0).then_some(next)
     })
 }
@@ -113,7 +133,7 @@ impl<I: Integer> Fixed<I> {
     #[must_use]
     pub fn scaled_root(i: Option<I>, root: u32, radicals: &Rc<Radicals>) -> Self {
         let term = |coefficient| Term {
-            product: u128::from(root) << 96,
+            product: u128::from(root) << FIRST,
             coefficient,
         };
         Self {
@@ -140,7 +160,7 @@ impl<I: Integer> Fixed<I> {
                 return Self::from_integer(None);
             };
             if !coefficient.sign().is_zero()
-                && sum.add(u128::from(root) << 96, coefficient).is_none()
+                && sum.add(u128::from(root) << FIRST, coefficient).is_none()
             {
                 return Self::from_integer(None);
             }
@@ -345,12 +365,12 @@ impl<I: Integer> Sum<I> {
 fn joined(mut p: Product, mut q: Product) -> Option<(Product, Product)> {
     let (mut single, mut common) = (Joint::default(), Joint::default());
     while p != 0 || q != 0 {
-        let (a, b) = ((p >> 96) as u32, (q >> 96) as u32);
+        let (a, b) = (first(p), first(q));
         if a >= b {
-            p <<= 32;
+            p = rest(p);
         }
         if b >= a {
-            q <<= 32;
+            q = rest(q);
         }
         if a == b {
             common.push(a)?;
@@ -369,10 +389,10 @@ struct Joint {
 
 impl Joint {
     fn push(&mut self, number: u32) -> Option<()> {
-        if self.len == 4 {
+        if self.len == FACTORS {
             return None;
         }
-        self.product |= u128::from(number) << (96 - 32 * self.len);
+        self.product |= u128::from(number) << (FIRST - DIGITS * self.len);
         self.len += 1;
         Some(())
     }

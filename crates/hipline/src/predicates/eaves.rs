@@ -56,7 +56,7 @@ pub(crate) struct Tilted {
 
 impl Tilted {
     /// The plane in the numbers of a rung, given the root.
-    fn plane<T: Rung>(&self, root: &T, shifts: [i32; 2]) -> Plane<T> {
+    fn shifted<T: Rung>(&self, root: &T, shifts: [i32; 2]) -> Plane<T> {
         let [shift, speed_shift] = shifts;
         let part = |k: usize| {
             let digits = if k == 2 { 3 * shift } else { 2 * shift };
@@ -72,8 +72,13 @@ impl Tilted {
     }
 
     /// The plane in exact numbers or in many digits, whose root is given.
-    pub(super) fn wide<T: Rung>(&self, root: impl Fn(&UBig) -> T) -> Plane<T> {
-        self.plane(&root(&self.radicand), [0, 0])
+    pub(super) fn plane<T: Rung>(&self, root: &T) -> Plane<T> {
+        self.shifted(root, [0, 0])
+    }
+
+    /// The radicand of its root.
+    pub(super) const fn radicand(&self) -> &UBig {
+        &self.radicand
     }
 }
 
@@ -121,7 +126,7 @@ impl Planes {
                 s,
             };
             let root = BallDd::integer(&IBig::from(tilted.radicand.clone()), 2 * self.shift).sqrt();
-            let Plane { a, b, c, s } = tilted.plane::<BallDd>(&root, [self.shift, speed_shift]);
+            let Plane { a, b, c, s } = tilted.shifted::<BallDd>(&root, [self.shift, speed_shift]);
             let doubles = [a, b, c, s];
             self.push_near(doubles);
             self.lines.push(Line::Tilted(Box::new(tilted)));

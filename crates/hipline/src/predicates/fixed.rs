@@ -10,7 +10,7 @@ use std::cell::RefCell;
 use std::rc::Rc;
 
 use super::{
-    eaves::{Tilted, tabled},
+    eaves::Tilted,
     expression::{Quadratic, any_meeting},
     lines::Line,
     memo::Memo,
@@ -38,10 +38,13 @@ pub(super) struct Lengths {
 /// factor 4 and no prime factors of the form 4k + 3.
 const PRIMES: [u32; 12] = [5, 13, 17, 29, 37, 41, 53, 61, 73, 89, 97, 101];
 
+/// More of them, for the radicands of tilted eaves.
+const OTHERS: [u32; 8] = [2, 3, 7, 11, 19, 23, 31, 43];
+
 /// m and r with m² r = square, where r has no square factor that is easy to find.
-fn reduced(square: &UBig) -> (UBig, UBig) {
+fn reduced(square: &UBig, others: &[u32]) -> (UBig, UBig) {
     let (mut multiple, mut rest) = (UBig::ONE, square.clone());
-    for prime in PRIMES {
+    for &prime in PRIMES.iter().chain(others) {
         let p = UBig::from(prime * prime);
         while (&rest % &p).is_zero() {
             rest /= &p;
@@ -57,23 +60,27 @@ fn reduced(square: &UBig) -> (UBig, UBig) {
 impl Lengths {
     fn of(&self, planes: &Planes, line: usize) -> Length {
         let mut of_line = self.of_line.borrow_mut();
-        if of_line.is_empty() {
+        if of_line.len() <= line {
             of_line.resize(planes.lines.len(), 0);
         }
         if of_line[line] == 0 {
-            of_line[line] = self.find(&planes.square(line));
+            of_line[line] = match &planes.lines[line] {
+                Line::Tilted(tilted) => self.find(tilted.radicand(), &OTHERS),
+                _ => self.find(&planes.square(line), &[]),
+            };
         }
         self.found.borrow()[of_line[line] as usize - 1]
     }
 
-    fn find(&self, square: &UBig) -> u32 {
-        let (multiple, rest) = reduced(square);
+    fn find(&self, square: &UBig, others: &[u32]) -> u32 {
+        let (multiple, rest) = reduced(square, others);
         let root = if rest.is_one() {
-            0
+            Some(0)
         } else {
             self.radicals.number(rest)
         };
         let multiple = i64::try_from(&IBig::from(multiple)).ok();
+        let (multiple, root) = (root.and(multiple), root.unwrap_or(0));
         let mut found = self.found.borrow_mut();
         found.push(Length { multiple, root });
         found.len() as u32
@@ -172,6 +179,17 @@ fn met<I: Kept>(planes: &Planes, triple: [PlaneId; 3]) -> Option<(Fixed<I>, Fixe
     ))
 }
 
+/// The root that a plane has in it.
+fn root<I: Integer>(planes: &Planes, line: usize) -> Fixed<I> {
+    let Length { multiple, root } = planes.lengths.of(planes, line);
+    let multiple = multiple.and_then(|multiple| I::from_i128(multiple.into()));
+    if root == 0 {
+        Fixed::from_integer(multiple)
+    } else {
+        Fixed::scaled_root(multiple, root, &planes.lengths.radicals)
+    }
+}
+
 impl<I: Kept> Rung for Fixed<I> {
     fn meeting(planes: &Planes, triple: [PlaneId; 3]) -> (Self, Self) {
         met(planes, triple).unwrap_or_else(|| any_meeting(planes, triple))
@@ -182,24 +200,15 @@ impl<I: Kept> Rung for Fixed<I> {
             return [zero.clone(), zero, Self::from_integer(I::from_int(c)), one];
         }
         let [a, b, c] = integers::<I>(planes, line);
-        let Length { multiple, root } = planes.lengths.of(planes, line);
-        let multiple = multiple.and_then(|multiple| I::from_i128(multiple.into()));
-        let length = if root == 0 {
-            Self::from_integer(multiple)
-        } else {
-            Self::scaled_root(multiple, root, &planes.lengths.radicals)
-        };
         [
             Self::from_integer(a),
             Self::from_integer(b),
             Self::from_integer(c),
-            length,
+            root(planes, line),
         ]
     }
-    // Its normal has a root in it: products of them have more than four.
-    fn tilted(_: &Planes, _: usize, _: &Tilted) -> Plane<Self> {
-        let unknown = || Self::from_integer(None);
-        tabled(&[unknown(), unknown(), unknown(), unknown()])
+    fn tilted(planes: &Planes, line: usize, tilted: &Tilted) -> Plane<Self> {
+        tilted.plane(&root(planes, line))
     }
     fn integer(value: &IBig, _shift: i32) -> Self {
         Self::from_integer(I::from_int(value))

@@ -303,17 +303,23 @@ impl Rung for Binomial {
     }
 }
 
+/// The root that a plane has in it, which is kept for a while.
+fn wide_root_of(planes: &Planes, line: usize, find: impl FnOnce() -> Wide) -> Wide {
+    let count = [planes.lines.len(), 4];
+    planes.known.wide.get(line as u32, count, find)
+}
+
 impl Rung for Wide {
-    fn tilted(_: &Planes, _: usize, tilted: &Tilted) -> Plane<Self> {
-        tilted.wide(Self::sqrt_of)
+    fn tilted(planes: &Planes, line: usize, tilted: &Tilted) -> Plane<Self> {
+        tilted.plane(&wide_root_of(planes, line, || {
+            Self::sqrt_of(tilted.radicand())
+        }))
     }
     fn falling_root(g: &Quadratic<Self>) -> Option<Self> {
         wide_root::falling_root(g)
     }
     fn line(planes: &Planes, line: usize) -> [Self; 4] {
-        let length = || Self::sqrt_of(&planes.square(line));
-        let count = [planes.lines.len(), 4];
-        let length = planes.known.wide.get(line as u32, count, length);
+        let length = wide_root_of(planes, line, || Self::sqrt_of(&planes.square(line)));
         let [a, b, c] = match &planes.lines[line] {
             Line::Small { a, b, c } => [(*a).into(), (*b).into(), *c].map(Self::from_i128),
             _ => planes.integers(line).each_ref().map(Self::from_int),
@@ -331,7 +337,7 @@ impl Rung for Wide {
 
 impl Rung for Surd {
     fn tilted(_: &Planes, _: usize, tilted: &Tilted) -> Plane<Self> {
-        tilted.wide(Self::sqrt_of)
+        tilted.plane(&Self::sqrt_of(tilted.radicand()))
     }
     fn time(planes: &Planes, time: f64) -> [Self; 2] {
         exact_time(planes, time).map(Self::from_int)

@@ -1,4 +1,4 @@
-//! The priority queue of what collapses, triangles or wavefront edges: two indexed 4-ary heaps, and buckets
+//! The priority queue of what collapses, triangles or wavefront edges: two indexed heaps, and buckets
 //! before them.
 //!
 //! The order of two moments is usually decided by their bounds; where it is not, the caller's
@@ -16,16 +16,21 @@ use crate::predicates::Bounds;
 use crate::topology::Numbered;
 use std::cmp::Ordering;
 
-const ARITY: usize = 4;
+/// Children in the heap of those that wait: few cache lines.
+const WAITING: usize = 4;
+/// Children in the heap at the front: few comparisons, which may be exact.
+const FIRST: usize = 2;
 const ABSENT: u32 = u32::MAX;
 /// Marks positions in the front.
 const FRONT: u32 = 1 << 31;
 /// Marks numbers of buckets.
 const FAR: u32 = 1 << 30;
-/// As many moments go to one bucket.
+/// As many moments go to one bucket at least.
 const BUCKET: usize = 64;
 /// Fewer moments go to the heap at once.
 const FEW: usize = 8 * BUCKET;
+/// More buckets there are not: their limits and their ends fit the cache.
+const BUCKETS: usize = 1 << 11;
 
 #[derive(Clone, Copy, Debug)]
 struct Entry<I> {
@@ -126,19 +131,21 @@ impl<I: Numbered> Queue<I> {
         for (i, entry) in self.waiting.iter().enumerate() {
             self.position[entry.id.number()] = i as u32;
         }
-        for i in (0..self.waiting.len().div_ceil(ARITY)).rev() {
-            self.waiting().sift_down(i);
+        for i in (0..self.waiting.len().div_ceil(WAITING)).rev() {
+            let entry = self.waiting[i];
+            self.waiting().sift_down(i, i, entry);
         }
     }
 
     /// Chooses limits between buckets: every so many of the lower bounds in order, found from a sample.
     fn set_limits(&mut self, entries: &[Entry<I>]) {
         const EVERY: usize = 8;
+        let bucket = BUCKET.max(entries.len() / BUCKETS);
         let mut sample: Vec<f64> = (entries.iter().step_by(EVERY))
             .map(|entry| entry.bounds.low)
             .collect();
         sample.sort_unstable_by(|a, b| b.total_cmp(a));
-        self.limits.extend(sample.iter().step_by(BUCKET / EVERY));
+        self.limits.extend(sample.iter().step_by(bucket / EVERY));
         self.limits.dedup();
         self.far.resize_with(self.limits.len(), Vec::new);
     }
@@ -173,7 +180,7 @@ impl<I: Numbered> Queue<I> {
         }
     }
 
-    fn waiting(&mut self) -> Heap<'_, I, impl Fn(&Entry<I>, &Entry<I>) -> bool> {
+    fn waiting(&mut self) -> Heap<'_, I, impl Fn(&Entry<I>, &Entry<I>) -> bool, WAITING> {
         Heap {
             entries: &mut self.waiting,
             position: &mut self.position,
@@ -185,7 +192,7 @@ impl<I: Numbered> Queue<I> {
     fn front<'a>(
         &'a mut self,
         exact: &'a impl Fn(I, I) -> Ordering,
-    ) -> Heap<'a, I, impl Fn(&Entry<I>, &Entry<I>) -> bool> {
+    ) -> Heap<'a, I, impl Fn(&Entry<I>, &Entry<I>) -> bool, FIRST> {
         Heap {
             entries: &mut self.front,
             position: &mut self.position,
@@ -201,28 +208,24 @@ impl<I: Numbered> Queue<I> {
 }
 
 /// One of the heaps.
-struct Heap<'a, I, F> {
+struct Heap<'a, I, F, const ARITY: usize> {
     entries: &'a mut Vec<Entry<I>>,
     position: &'a mut [u32],
     mark: u32,
     less: F,
 }
 
-impl<I: Numbered, F: Fn(&Entry<I>, &Entry<I>) -> bool> Heap<'_, I, F> {
+impl<I: Numbered, F: Fn(&Entry<I>, &Entry<I>) -> bool, const ARITY: usize> Heap<'_, I, F, ARITY> {
     fn insert(&mut self, entry: Entry<I>) {
         self.entries.push(entry);
-        self.sift_up(self.entries.len() - 1);
+        self.sift_up(self.entries.len() - 1, 0, entry);
     }
 
     fn remove(&mut self, at: usize) {
         self.position[self.entries[at].id.number()] = ABSENT;
         let last = self.entries.pop().expect("the queue is not empty");
         if at < self.entries.len() {
-            self.entries[at] = last;
-            let stays = self.sift_down(at) == at;
-            if stays {
-                self.sift_up(at);
-            }
+            self.sift_down(at, 0, last);
         }
     }
 
@@ -231,9 +234,9 @@ impl<I: Numbered, F: Fn(&Entry<I>, &Entry<I>) -> bool> Heap<'_, I, F> {
         self.position[entry.id.number()] = i as u32 | self.mark;
     }
 
-    fn sift_up(&mut self, mut i: usize) {
-        let entry = self.entries[i];
-        while i > 0 {
+    /// Puts an entry at a place that is free, or above it, but not above the top.
+    fn sift_up(&mut self, mut i: usize, top: usize, entry: Entry<I>) {
+        while i > top {
             let parent = (i - 1) / ARITY;
             if !(self.less)(&entry, &self.entries[parent]) {
                 break;
@@ -244,9 +247,9 @@ impl<I: Numbered, F: Fn(&Entry<I>, &Entry<I>) -> bool> Heap<'_, I, F> {
         self.put(i, entry);
     }
 
-    /// Returns where the entry came to lie.
-    fn sift_down(&mut self, mut i: usize) -> usize {
-        let entry = self.entries[i];
+    /// Fills a place that is free with the least of what is below it, and so on, down to where nothing is; there an
+    /// entry goes, or above, but not above the top. It is likely to belong far below: so it is compared with few.
+    fn sift_down(&mut self, mut i: usize, top: usize, entry: Entry<I>) {
         loop {
             let first = i * ARITY + 1;
             if first >= self.entries.len() {
@@ -258,13 +261,9 @@ impl<I: Numbered, F: Fn(&Entry<I>, &Entry<I>) -> bool> Heap<'_, I, F> {
                     least = child;
                 }
             }
-            if !(self.less)(&self.entries[least], &entry) {
-                break;
-            }
             self.put(i, self.entries[least]);
             i = least;
         }
-        self.put(i, entry);
-        i
+        self.sift_up(i, top, entry);
     }
 }
