@@ -367,6 +367,7 @@ impl Planes {
     /// Both must exist, and lie where neither root's triangle has been flipped yet.
     pub(crate) fn compare_fixed(&self, a: &Moment, b: &Moment) -> Option<Ordering> {
         if self.ask_shortly(&Alike(a, b)).is_some() {
+            self.count(|rungs| rungs.by_exact += 1);
             return Some(Ordering::Equal);
         }
         match (a, b) {
