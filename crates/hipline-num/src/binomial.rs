@@ -1,7 +1,7 @@
 //! Machine integers with one root: the rung of figures on a grid all of whose lengths are multiples of one
 //! root, as where edges are parallel to the axes and to their bisectors, or lie alike.
 
-use crate::{BallDd, Integer, Number, Sign};
+use crate::{Integer, Number, Sign, number::sign_with_root};
 
 /// `a + b √r` in integers with a sign of their own, or nothing if something did not fit.
 #[derive(Clone, Copy, Debug)]
@@ -56,24 +56,7 @@ impl Binomial {
     /// The sign of a + b·√delta, where delta is not negative, if it can be told.
     #[must_use]
     pub fn sign_with_root(a: &Self, b: &Self, delta: &Self) -> Option<Sign> {
-        let (p, q) = (a.sign()?, b.sign()? * delta.sign()?);
-        if p == q || p.is_zero() {
-            return Some(q);
-        }
-        if q.is_zero() {
-            return Some(p);
-        }
-        let difference = a.times(a).minus(&b.times(b).times(delta)).sign()?;
-        Some(difference * p)
-    }
-}
-
-#[inline]
-fn product(a: i128, b: i128) -> Option<i128> {
-    // Most factors are short; their product needs no test.
-    match (i64::try_from(a), i64::try_from(b)) {
-        (Ok(a), Ok(b)) => Some(i128::from(a) * i128::from(b)),
-        _ => a.checked_mul(b),
+        sign_with_root(a, b, delta)
     }
 }
 
@@ -89,27 +72,28 @@ impl Number for Binomial {
     #[inline]
     fn plus(&self, o: &Self) -> Self {
         self.join(o, |[a, b], [c, d], _| {
-            Some([a.checked_add(c)?, b.checked_add(d)?])
+            Some([Integer::plus(&a, &c)?, Integer::plus(&b, &d)?])
         })
     }
     #[inline]
     fn minus(&self, o: &Self) -> Self {
         self.join(o, |[a, b], [c, d], _| {
-            Some([a.checked_sub(c)?, b.checked_sub(d)?])
+            Some([Integer::minus(&a, &c)?, Integer::minus(&b, &d)?])
         })
     }
     #[inline]
     fn times(&self, o: &Self) -> Self {
         self.join(o, |[a, b], [c, d], radicand| {
-            let whole = product(a, c)?;
+            let whole = Integer::times(&a, &c)?;
             if b == 0 && d == 0 {
                 return Some([whole, 0]);
             }
-            let part = product(a, d)?.checked_add(product(b, c)?)?;
+            let part = Integer::plus(&Integer::times(&a, &d)?, &Integer::times(&b, &c)?)?;
             if b == 0 || d == 0 {
                 return Some([whole, part]);
             }
-            Some([whole.checked_add(product(product(b, d)?, radicand)?)?, part])
+            let square = Integer::times(&Integer::times(&b, &d)?, &radicand)?;
+            Some([Integer::plus(&whole, &square)?, part])
         })
     }
     #[inline]
@@ -125,11 +109,13 @@ impl Number for Binomial {
         if p.is_zero() {
             return Some(q);
         }
-        let root = Integer::to_ball_dd(&i128::from(self.radicand)).sqrt();
-        let near: BallDd = a.to_ball_dd().plus(&b.to_ball_dd().times(&root));
+        let radicand = i128::from(self.radicand);
+        let root = radicand.to_ball_dd().sqrt();
+        let near = a.to_ball_dd().plus(&b.to_ball_dd().times(&root));
         near.sign().or_else(|| {
-            let square = product(product(b, b)?, self.radicand.into())?;
-            Some(p * Integer::sign(&product(a, a)?.checked_sub(square)?))
+            let [a, b] = [Integer::times(&a, &a)?, Integer::times(&b, &b)?];
+            let difference = Integer::minus(&a, &Integer::times(&b, &radicand)?)?;
+            Some(p * Integer::sign(&difference))
         })
     }
 }

@@ -10,7 +10,7 @@
 //! a double-double of the sum as it stands, or this rung abstains. That is seldom: what
 //! makes other rungs abstain is cancellation, and here it has happened exactly.
 
-use crate::{BallDd, Integer, Number, Sign};
+use crate::{BallDd, Integer, Number, Sign, number::sign_with_root};
 use dashu_int::{IBig, UBig};
 use smallvec::SmallVec;
 use std::cell::RefCell;
@@ -231,12 +231,7 @@ impl<I: Integer> Fixed<I> {
                 return Some(sign);
             }
         }
-        let (p, q) = (a.sign()?, b.sign()? * delta.sign()?);
-        if p == q || p.is_zero() {
-            return Some(q);
-        }
-        let difference = a.times(a).minus(&b.times(b).times(delta)).sign()?;
-        Some(difference * p)
+        sign_with_root(a, b, delta)
     }
 
     /// self + o, or self - o.

@@ -9,7 +9,7 @@
 
 use crate::fixed::Term;
 use crate::{BallDd, Number, Sign, words};
-use dashu_int::{IBig, Word};
+use dashu_int::IBig;
 
 /// An integer of bounded size: `None` means that a result may not fit.
 pub trait Integer: Sized + Clone + std::fmt::Debug {
@@ -80,8 +80,7 @@ impl Integer for i128 {
         Self::BITS - self.unsigned_abs().leading_zeros()
     }
     fn to_ball_dd(&self) -> BallDd {
-        let size = self.unsigned_abs();
-        let value = near(&[size as u64, (size >> 64) as u64]);
+        let value = near(&words::of_u128(self.unsigned_abs()));
         if *self < 0 { value.negated() } else { value }
     }
 }
@@ -140,10 +139,8 @@ impl<const WIDTH: usize> std::fmt::Debug for Digits<WIDTH> {
 
 impl<const WIDTH: usize> Digits<WIDTH> {
     fn of_i128(i: i128) -> Self {
-        let size = i.unsigned_abs();
         let mut result = Self::ZERO;
-        result.digits[0] = size as u64;
-        result.digits[1] = (size >> 64) as u64;
+        result.digits[..2].copy_from_slice(&words::of_u128(i.unsigned_abs()));
         result.len = 2;
         result.negative = i < 0;
         result.trimmed()
@@ -209,19 +206,12 @@ impl<const WIDTH: usize> Integer for Digits<WIDTH> {
         Some(Self::of_i128(i))
     }
     fn from_int(i: &IBig) -> Option<Self> {
-        let (sign, words) = i.as_sign_words();
-        let step = Word::BITS as usize;
-        if words.len() * step > 64 * WIDTH {
+        if words::count(i) > WIDTH {
             return None;
         }
         let mut result = Self::ZERO;
-        for (k, &word) in words.iter().enumerate() {
-            #[allow(clippy::useless_conversion, reason = "the width depends on the target")]
-            let word = u64::from(word);
-            result.digits[k * step / 64] |= word << (k * step % 64);
-        }
+        result.negative = words::write(i, &mut result.digits);
         result.len = WIDTH as u8;
-        result.negative = sign == dashu_int::Sign::Negative;
         Some(result.trimmed())
     }
     fn plus(&self, o: &Self) -> Option<Self> {

@@ -28,3 +28,16 @@ pub trait Number: Clone + Debug {
     /// The sign if it is proven, `None` if this type abstains; a `Surd` never abstains.
     fn sign(&self) -> Option<Sign>;
 }
+
+/// The sign of a + b·√delta, where delta is not negative, from signs of polynomials.
+pub(crate) fn sign_with_root<T: Number>(a: &T, b: &T, delta: &T) -> Option<Sign> {
+    let (p, q) = (a.sign()?, b.sign()? * delta.sign()?);
+    if p == q || q.is_zero() {
+        return Some(p);
+    }
+    if p.is_zero() {
+        return Some(q);
+    }
+    let difference = a.times(a).minus(&b.times(b).times(delta)).sign()?;
+    Some(difference * p)
+}

@@ -9,9 +9,11 @@
 //! step of which is rounded up by a factor of `1 + 2^-50` (each step has at most four
 //! roundings of relative size 2^-53).
 
-use dashu_int::{IBig, UBig, Word};
+use dashu_int::{IBig, UBig};
+use smallvec::SmallVec;
 use std::cmp::Ordering;
 
+use crate::dyadic::{magnitude_parts, power_of_two};
 use crate::{BallDd, Number, Sign, limbs::near, perfect_root, words};
 
 /// Digits to the base 2^64 kept.
@@ -21,7 +23,7 @@ const WORDS: usize = 7;
 const UP: f64 = 1.0 + 1.0 / (1_u64 << 50) as f64;
 
 /// From this power of two on, a bound makes the last digit meaningless.
-const MEANINGLESS: u32 = 64 + 16;
+const MEANINGLESS: i32 = 64 + 16;
 
 /// Steps that take an approximation of about 100 binary digits to more than are kept, each of which adds
 /// about 100.
@@ -51,11 +53,7 @@ impl std::fmt::Debug for Wide {
 
 /// 2^(64 words), or what is above it where f64 has no such number.
 fn power(words: i32) -> f64 {
-    match words {
-        16.. => f64::INFINITY,
-        -15..=15 => f64::from_bits(((1023 + 64 * words) as u64) << 52),
-        _ => f64::MIN_POSITIVE,
-    }
+    power_of_two(64 * words.clamp(-16, 16)).max(f64::MIN_POSITIVE)
 }
 
 /// A bound in units of another size.
@@ -82,41 +80,19 @@ fn leading(digits: &[u64]) -> (f64, u32) {
     ((head >> drop) as f64, drop + 64 * left)
 }
 
-/// 2^k for k that is not large.
-fn two_to_the(k: u32) -> f64 {
-    f64::from_bits(u64::from(1023 + k) << 52)
-}
-
 impl Wide {
     /// The value of an integer.
     #[must_use]
     pub fn from_int(i: &IBig) -> Self {
-        let (sign, words) = i.as_sign_words();
-        let negative = sign == dashu_int::Sign::Negative;
-        if Word::BITS == 64 && words.len() <= WORDS {
-            let mut digits = [0; WORDS];
-            for (digit, &word) in digits.iter_mut().zip(words) {
-                #[allow(clippy::useless_conversion, reason = "the width depends on the target")]
-                let word = u64::from(word);
-                *digit = word;
-            }
-            return Self::kept(&digits, negative, 0, 0.0);
-        }
-        let step = Word::BITS as usize;
-        let mut digits = vec![0; (words.len() * step).div_ceil(64)];
-        for (k, &word) in words.iter().enumerate() {
-            #[allow(clippy::useless_conversion, reason = "the width depends on the target")]
-            let word = u64::from(word);
-            digits[k * step / 64] |= word << (k * step % 64);
-        }
+        let mut digits = SmallVec::<[u64; 2 * WORDS]>::from_elem(0, words::count(i));
+        let negative = words::write(i, &mut digits);
         Self::kept(&digits, negative, 0, 0.0)
     }
 
     /// The value of a machine integer.
     #[must_use]
     pub fn from_i128(i: i128) -> Self {
-        let size = i.unsigned_abs();
-        Self::kept(&[size as u64, (size >> 64) as u64], i < 0, 0, 0.0)
+        Self::kept(&words::of_u128(i.unsigned_abs()), i < 0, 0, 0.0)
     }
 
     /// The root of a natural number.
@@ -129,7 +105,7 @@ impl Wide {
     }
 
     /// A number of which nothing is known.
-    pub const ANY: Self = Self {
+    pub const UNKNOWN: Self = Self {
         digits: [0; WORDS],
         len: 0,
         negative: false,
@@ -161,9 +137,9 @@ impl Wide {
         let len = words::used(digits);
         let mut drop = len.saturating_sub(WORDS);
         // A NaN is as good as infinity.
-        if error.is_nan() || error >= two_to_the(MEANINGLESS) {
+        if error.is_nan() || error >= power_of_two(MEANINGLESS) {
             if !error.is_finite() {
-                return Self::ANY;
+                return Self::UNKNOWN;
             }
             let binary = (error.to_bits() >> 52) as u32 - 1023;
             drop = drop.max((binary - 16) as usize / 64).min(len);
@@ -189,14 +165,14 @@ impl Wide {
             top
         } else {
             // The sum is at most 2^53: exact, and so is the product.
-            (top + 1.0) * two_to_the(cut)
+            (top + 1.0) * power_of_two(cut as i32)
         }
     }
 
     /// A lower bound of the size of the mantissa.
     fn least(&self) -> f64 {
         let (top, cut) = leading(self.used());
-        top * two_to_the(cut)
+        top * power_of_two(cut as i32)
     }
 
     /// Adds the digits of a number to zeros that begin at a unit; returns the error of this in such units.
@@ -254,14 +230,9 @@ impl Wide {
         if x == 0.0 || !x.is_finite() {
             return Self::zero();
         }
-        let (bits, sign) = (x.abs().to_bits(), x < 0.0);
-        let (mantissa, exponent) = match (bits >> 52) as i32 {
-            0 => (bits, -1074),
-            biased => (bits & ((1 << 52) - 1) | 1 << 52, biased - 1075),
-        };
-        let wide = u128::from(mantissa) << exponent.rem_euclid(64);
-        let digits = [wide as u64, (wide >> 64) as u64];
-        Self::kept(&digits, sign, exponent.div_euclid(64), 0.0)
+        let (mantissa, exponent) = magnitude_parts(x);
+        let digits = words::of_u128(u128::from(mantissa) << exponent.rem_euclid(64));
+        Self::kept(&digits, x < 0.0, exponent.div_euclid(64), 0.0)
     }
 
     /// About the same as a double-double times 2^(64 k), as if it were exact.
@@ -281,35 +252,49 @@ impl Wide {
         (if self.negative { near.negated() } else { near }, k)
     }
 
+    /// Approximations, each better by what is left of something times an approximate inverse of how that changes, as if they
+    /// were exact; the last one, and what is left.
+    fn refined(self, inverse: &Self, rest: impl Fn(&Self) -> Self) -> (Self, Self) {
+        let (mut near, mut left) = (self, rest(&self));
+        for _ in 0..STEPS {
+            if left.is_zero() {
+                break;
+            }
+            near = near.plus(&left.times(inverse)).middle();
+            left = rest(&near);
+        }
+        (near, left)
+    }
+
+    /// An upper bound of the size in other units.
+    fn most(&self, unit: i32) -> f64 {
+        scaled(self.size() + self.error, self.exponent - unit)
+    }
+
+    /// The same middle with a bound.
+    fn within(self, error: f64) -> Self {
+        let error = if error.is_nan() { f64::INFINITY } else { error };
+        Self { error, ..self }
+    }
+
     /// The quotient; the bound is infinite if the divisor may be zero.
     #[must_use]
     pub fn div(&self, o: &Self) -> Self {
         // A lower bound of the divisor's size less its error, rounded down.
         let least = (o.least() - o.error * UP) / UP;
         if o.len == 0 || least.is_nan() || least <= 0.0 {
-            return Self::ANY;
+            return Self::UNKNOWN;
         }
         let (near, k) = o.near();
         let inverse = Self::from_near(&BallDd::from_f64(1.0).div(&near), -k);
         let (n, d) = (self.middle(), o.middle());
-        let mut quotient = n.times(&inverse).middle();
-        let mut rest = n.minus(&quotient.times(&d));
-        for _ in 0..STEPS {
-            if rest.is_zero() {
-                break;
-            }
-            quotient = quotient.plus(&rest.times(&inverse)).middle();
-            rest = n.minus(&quotient.times(&d));
-        }
+        let first = n.times(&inverse).middle();
+        let (quotient, rest) = first.refined(&inverse, |q| n.minus(&q.times(&d)));
         // (n + dn) / (d + dd) - q = (n - q d + dn - q dd) / (d + dd)
         let unit = o.exponent + quotient.exponent;
-        let rest = scaled(rest.size() + rest.error, rest.exponent - unit);
         let own = scaled(self.error, self.exponent - unit);
-        let error = (rest + own + quotient.size() * o.error) * UP / least * UP;
-        Self {
-            error: if error.is_nan() { f64::INFINITY } else { error },
-            ..quotient
-        }
+        let error = rest.most(unit) + own + quotient.size() * o.error;
+        quotient.within(error * UP / least * UP)
     }
 
     /// The root of a quantity that is not negative.
@@ -323,7 +308,7 @@ impl Wide {
             // The root of something between 0 and high; an odd exponent has another 2^32.
             let odd = self.exponent.rem_euclid(2);
             #[expect(clippy::disallowed_methods, reason = "rounded up")]
-            let root = high.sqrt() * UP * if odd == 1 { two_to_the(32) } else { 1.0 };
+            let root = high.sqrt() * UP * if odd == 1 { power_of_two(32) } else { 1.0 };
             let exponent = (self.exponent - odd) / 2;
             return Self::kept(&[], false, exponent, root);
         }
@@ -333,24 +318,12 @@ impl Wide {
         let half = (k - odd) / 2;
         let inverse = Self::from_near(&BallDd::from_f64(0.5).div(&near), -half);
         let square = self.middle();
-        let mut root = Self::from_near(&near, half);
-        let mut rest = square.minus(&root.times(&root));
-        for _ in 0..STEPS {
-            if rest.is_zero() {
-                break;
-            }
-            root = root.plus(&rest.times(&inverse)).middle();
-            rest = square.minus(&root.times(&root));
-        }
+        let first = Self::from_near(&near, half);
+        let (root, rest) = first.refined(&inverse, |root| square.minus(&root.times(root)));
         // |sqrt(s + ds) - r| <= |s - r r + ds| / r, for r > 0 and s + ds >= 0.
         let unit = 2 * root.exponent;
-        let rest = scaled(rest.size() + rest.error, rest.exponent - unit);
         let own = scaled(self.error, self.exponent - unit);
-        let error = (rest + own) * UP / root.least() * UP;
-        Self {
-            error: if error.is_nan() { f64::INFINITY } else { error },
-            ..root
-        }
+        root.within((rest.most(unit) + own) * UP / root.least() * UP)
     }
 
     /// The same as a double-double.
@@ -375,7 +348,7 @@ impl Number for Wide {
     fn zero() -> Self {
         Self {
             error: 0.0,
-            ..Self::ANY
+            ..Self::UNKNOWN
         }
     }
     fn from_i64(i: i64) -> Self {

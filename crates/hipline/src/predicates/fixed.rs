@@ -120,15 +120,6 @@ impl Kept for Limbs {
     }
 }
 
-/// `a`, `b`, `c` of a line, as far as they fit.
-fn integers<I: Integer>(planes: &Planes, line: usize) -> [Option<I>; 3] {
-    match &planes.lines[line] {
-        Line::Small { a, b, c } => [i128::from(*a), i128::from(*b), *c].map(I::from_i128),
-        Line::Big(abc) => abc.each_ref().map(I::from_int),
-        _ => planes.integers(line).each_ref().map(I::from_int),
-    }
-}
-
 impl<I: Integer> Bare<I> {
     /// `None` if something does not fit, or the plane is of a later phase.
     fn new(planes: &Planes, id: PlaneId) -> Option<Self> {
@@ -139,7 +130,7 @@ impl<I: Integer> Bare<I> {
         if let Line::Level(_) | Line::Tilted(_) = planes.lines[line] {
             return None;
         }
-        let [a, b, c] = integers::<I>(planes, line);
+        let [a, b, c] = planes.integers_as(line, I::from_i128, I::from_int);
         let Length { multiple, root } = planes.lengths.of(planes, line);
         let mut s = I::from_i128(multiple?.into())?;
         if let Some(speeds) = &planes.speeds {
@@ -199,7 +190,7 @@ impl<I: Kept> Rung for Fixed<I> {
             let [zero, one] = [0, 1].map(|i| Self::from_integer(I::from_i128(i)));
             return [zero.clone(), zero, Self::from_integer(I::from_int(c)), one];
         }
-        let [a, b, c] = integers::<I>(planes, line);
+        let [a, b, c] = planes.integers_as(line, I::from_i128, I::from_int);
         [
             Self::from_integer(a),
             Self::from_integer(b),

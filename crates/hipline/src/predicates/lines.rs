@@ -70,6 +70,19 @@ impl Planes {
         }
     }
 
+    /// The same in other numbers; the small ones without big integers.
+    pub(super) fn integers_as<T>(
+        &self,
+        line: usize,
+        small: impl Fn(i128) -> T,
+        any: impl Fn(&IBig) -> T,
+    ) -> [T; 3] {
+        match &self.lines[line] {
+            Line::Small { a, b, c } => [(*a).into(), (*b).into(), *c].map(small),
+            _ => self.integers(line).each_ref().map(any),
+        }
+    }
+
     /// The square of the length of the normal; one for a plane of one height.
     pub(super) fn square(&self, line: usize) -> UBig {
         if let Line::Level(_) = self.lines[line] {

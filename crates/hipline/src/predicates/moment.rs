@@ -298,7 +298,7 @@ impl Planes {
                 n.negated().div(&d)
             }
             Moment::Root(corners) => {
-                wide_root::falling_root(&area(self, *corners)).unwrap_or(Wide::ANY)
+                wide_root::falling_root(&area(self, *corners)).unwrap_or(Wide::UNKNOWN)
             }
         }
     }

@@ -304,14 +304,14 @@ impl Rung for Binomial {
 }
 
 /// The root that a plane has in it, which is kept for a while.
-fn wide_root_of(planes: &Planes, line: usize, find: impl FnOnce() -> Wide) -> Wide {
+fn kept_root(planes: &Planes, line: usize, find: impl FnOnce() -> Wide) -> Wide {
     let count = [planes.lines.len(), 4];
     planes.known.wide.get(line as u32, count, find)
 }
 
 impl Rung for Wide {
     fn tilted(planes: &Planes, line: usize, tilted: &Tilted) -> Plane<Self> {
-        tilted.plane(&wide_root_of(planes, line, || {
+        tilted.plane(&kept_root(planes, line, || {
             Self::sqrt_of(tilted.radicand())
         }))
     }
@@ -319,11 +319,8 @@ impl Rung for Wide {
         wide_root::falling_root(g)
     }
     fn line(planes: &Planes, line: usize) -> [Self; 4] {
-        let length = wide_root_of(planes, line, || Self::sqrt_of(&planes.square(line)));
-        let [a, b, c] = match &planes.lines[line] {
-            Line::Small { a, b, c } => [(*a).into(), (*b).into(), *c].map(Self::from_i128),
-            _ => planes.integers(line).each_ref().map(Self::from_int),
-        };
+        let length = kept_root(planes, line, || Self::sqrt_of(&planes.square(line)));
+        let [a, b, c] = planes.integers_as(line, Self::from_i128, Self::from_int);
         [a, b, c, length]
     }
     fn integer(value: &IBig, _shift: i32) -> Self {
